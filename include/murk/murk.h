@@ -1,0 +1,465 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file murk.h
+ * murk lights smoke, fog and clouds: it reads extinction and albedo from OpenVDB grids, solves
+ * the multiple scattering between all the voxels and the ground by the zonal (volume radiosity)
+ * method of [BG91], writes the volume radiosity back as VDB and renders the obscured scene.
+ *
+ * [BG91] C. C. Borel, S. A. W. Gerstl, "Simulation of Partially Obscured Scenes Using the
+ * Radiosity Method", 1991. Misprints of that paper are listed in EQUATIONS.md of the sources.
+ *
+ * Conventions used throughout:
+ *  - World units are those of the VDB transform and are called metres.
+ *  - A zone is an active voxel whose extinction is positive; a patch is a rectangle of the ground.
+ *  - Volume radiosity B [W/m^2] is pi times the isotropic source function: a zone emits the
+ *    radiance B/pi per unit of optical depth. Surface radiosity is pi times the radiance.
+ *  - In every zone B = albedo * G/4 + (1 - albedo) * E, with G [W/m^2] the incident radiation
+ *    integrated over the sphere and E [W/m^2] the black-body emissive power ([BG91] eq. 2).
+ *
+ * Every function that can fail returns a murk_status and leaves its outputs untouched on failure;
+ * the reason, as one line of text, is then in murk_context_message(). A *_create, *_read, *_build
+ * or *_solve function gives the caller an object to be released with the matching *_release, which
+ * takes NULL too. Objects keep what they need of one another alive, so they may be released in any
+ * order, all before the context. One context serves one thread at a time.
+ */
+#ifndef MURK_MURK_H
+#define MURK_MURK_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define MURK_API
+#else
+#define MURK_API __attribute__((visibility("default")))
+#endif
+
+#define MURK_VERSION "0.1.0"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------------------------------------ */
+/* Status                                                                                      */
+/* ------------------------------------------------------------------------------------------ */
+
+/** Name and meaning of every status, for the enumeration and murk_status_text(). */
+#define MURK_STATUS_LIST(X)                                                                        \
+    X(MURK_OK, "success")                                                                          \
+    X(MURK_ERROR_INPUT, "bad input")                                                               \
+    X(MURK_ERROR_MEMORY, "out of memory")                                                          \
+    X(MURK_ERROR_IO, "the system failed to write")                                                 \
+    X(MURK_ERROR_INTERNAL, "internal error")                                                       \
+    X(MURK_NOT_REACHED, "tolerance not reached")
+
+/** What a call came to. MURK_NOT_REACHED still delivers its result. */
+typedef enum murk_status {
+#define MURK_STATUS_ENUM(name, text) name,
+    MURK_STATUS_LIST(MURK_STATUS_ENUM)
+#undef MURK_STATUS_ENUM
+} murk_status;
+
+/** A short English text for a status; never NULL. */
+MURK_API const char *murk_status_text(murk_status status);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Context                                                                                     */
+/* ------------------------------------------------------------------------------------------ */
+
+/** Holds threads, log, progress and the last message. There is no global state. */
+typedef struct murk_context murk_context;
+
+typedef enum murk_log_level { MURK_LOG_WARNING, MURK_LOG_INFO } murk_log_level;
+
+/** Called with one line of text, without line feed. */
+typedef void murk_log_fn(void *user, murk_log_level level, const char *text);
+
+/** Called now and then with the stage ("solve", "render", ...) and the part done in [0, 1]. */
+typedef void murk_progress_fn(void *user, const char *stage, double done);
+
+typedef struct murk_context_options {
+    int threads;                /**< 0: one per processor */
+    const char *kernel;         /**< "avx512", "avx2", "portable"; NULL: the fastest this CPU has */
+    murk_log_fn *log;           /**< may be NULL: silence */
+    murk_progress_fn *progress; /**< may be NULL */
+    void *user;                 /**< passed on to both */
+} murk_context_options;
+
+#define MURK_CONTEXT_DEFAULT                                                                       \
+    { .threads = 0, .kernel = NULL, .log = NULL, .progress = NULL, .user = NULL }
+
+/** Creates a context. options may be NULL. Fails when memory runs out or the kernel is unknown. */
+MURK_API murk_status murk_context_create(const murk_context_options *options, murk_context **out);
+MURK_API void murk_context_release(murk_context *context);
+
+/** The first message of the call that failed last, or "". Valid until the next call. */
+MURK_API const char *murk_context_message(const murk_context *context);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Volumes: what a VDB file holds                                                              */
+/* ------------------------------------------------------------------------------------------ */
+
+/** The grids of one VDB file or stream, in memory. */
+typedef struct murk_volume murk_volume;
+
+/** One grid of a volume; strings live as long as the volume. */
+typedef struct murk_grid_info {
+    const char *name;        /**< unique: "density", "density[1]", ... */
+    const char *type;        /**< OpenVDB's value type: "float", "half", "vec3s", ... */
+    const char *grid_class;  /**< "fog volume", "level set", ... */
+    bool readable;           /**< murk can take it as a scalar field */
+    const char *unreadable;  /**< why not, or NULL */
+    uint64_t active_voxels;  /**< tiles counted by their voxels */
+    uint64_t active_tiles;
+    uint64_t nonzero_voxels; /**< active voxels whose value is not 0 (scalar grids) */
+    uint64_t invalid_voxels; /**< NaN, infinite or negative values among the active voxels */
+    int32_t box_min[3];      /**< index-space box of the active voxels, both ends included */
+    int32_t box_max[3];      /**< smaller than box_min where nothing is active */
+    double voxel_size[3];    /**< m */
+    double index_to_world[16]; /**< row-major; world = matrix * (i, j, k, 1) as a column */
+    double value_min, value_max; /**< over the active voxels; 0 where nothing is active */
+    double mean_depth, max_depth; /**< integral of the value along the shortest axis of the box,
+                                       mean and maximum over the columns that hold something */
+} murk_grid_info;
+
+/**
+ * Reads a VDB file; "-" reads a VDB stream from standard input. The header and the grid offsets
+ * are checked against the file's size before OpenVDB sees it; nothing is loaded lazily.
+ * Fails with MURK_ERROR_INPUT for a missing, truncated or foreign file.
+ */
+MURK_API murk_status murk_volume_read(murk_context *context, const char *path, murk_volume **out);
+MURK_API void murk_volume_release(murk_volume *volume);
+MURK_API size_t murk_volume_grid_count(const murk_volume *volume);
+/** Fills *out for the grid at index (0 <= index < count). */
+MURK_API murk_status murk_volume_grid_info(const murk_volume *volume, size_t index,
+                                           murk_grid_info *out);
+/** The unique name of the grid that murk would take for the density, or NULL where none fits. */
+MURK_API const char *murk_volume_density(const murk_volume *volume);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Medium                                                                                      */
+/* ------------------------------------------------------------------------------------------ */
+
+/** Extinction, albedo and emission of the zones. */
+typedef struct murk_medium murk_medium;
+
+/** A quantity of the medium: grid value times scale where grid is a name, else the value. */
+typedef struct murk_quantity {
+    const char *grid;
+    double scale;
+    double value;
+} murk_quantity;
+
+typedef struct murk_medium_options {
+    /** kappa_t [1/m]. With grid NULL and a positive value: that value wherever the density-like
+     *  grid is positive; with value 0: the density-like grid times scale. */
+    murk_quantity extinction;
+    murk_quantity albedo;   /**< single-scattering albedo kappa_s/kappa_t in [0, 1] */
+    murk_quantity emission; /**< E [W/m^2] >= 0 */
+    bool corner;            /**< voxel (i,j,k) covers [i, i+1] x ... instead of [i - 1/2, i + 1/2] */
+    bool strict;            /**< NaN, infinite, negative values are an error, not empty */
+    double voxel_size;      /**< > 0 overrides the file's voxel size [m] (all three axes by ratio) */
+} murk_medium_options;
+
+#define MURK_MEDIUM_DEFAULT                                                                        \
+    {                                                                                              \
+        .extinction = {NULL, 1.0, 0.0}, .albedo = {NULL, 1.0, 0.9},                                \
+        .emission = {NULL, 1.0, 0.0}, .corner = false, .strict = false, .voxel_size = 0.0          \
+    }
+
+/**
+ * Builds the medium from the grids of a volume. options may be NULL. Active voxels without
+ * extinction are no zones. An empty grid gives a valid medium without zones.
+ * Fails with MURK_ERROR_INPUT for an unknown or unreadable grid, a frustum or sheared transform,
+ * grids on different transforms, an albedo outside [0, 1], or, when strict, bad values.
+ */
+MURK_API murk_status murk_medium_from_volume(murk_context *context, const murk_volume *volume,
+                                             const murk_medium_options *options,
+                                             murk_medium **out);
+
+/** A dense box of voxels for murk_medium_from_array(). Arrays have size[0]*size[1]*size[2] values,
+ *  the last index (z) running fastest, and are copied. */
+typedef struct murk_array {
+    int32_t size[3];
+    double voxel_size[3];   /**< m */
+    double origin[3];       /**< world position of the low corner of voxel (0, 0, 0) [m] */
+    const float *kappa_t;   /**< 1/m; NULL: kappa_t_value everywhere */
+    const float *albedo;    /**< NULL: albedo_value */
+    const float *emission;  /**< W/m^2; NULL: emission_value */
+    double kappa_t_value, albedo_value, emission_value;
+} murk_array;
+
+/** Builds a medium from arrays in memory. Fails like murk_medium_from_volume(). */
+MURK_API murk_status murk_medium_from_array(murk_context *context, const murk_array *array,
+                                            murk_medium **out);
+MURK_API void murk_medium_release(murk_medium *medium);
+
+typedef struct murk_medium_info {
+    uint64_t zones;          /**< active voxels with kappa_t > 0 */
+    uint64_t bricks;         /**< 8x8x8 bricks that hold them */
+    uint64_t input_voxels;   /**< active voxels of the input grid */
+    uint64_t invalid_voxels; /**< treated as empty: NaN, infinite or negative */
+    double voxel_size[3];    /**< m */
+    double box_min[3], box_max[3]; /**< world-space box around the zones [m] */
+    double kappa_t_max;      /**< 1/m */
+    double mean_depth;       /**< mean optical depth along the shortest index axis, over columns with zones */
+    double max_depth;
+} murk_medium_info;
+MURK_API murk_status murk_medium_info_get(const murk_medium *medium, murk_medium_info *out);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Ground                                                                                      */
+/* ------------------------------------------------------------------------------------------ */
+
+typedef enum murk_up { MURK_UP_Z, MURK_UP_Y } murk_up;
+
+/**
+ * The plane up = height, with nx * ny patches over extent and, where horizon is set, ever larger
+ * patches around them out to the horizon with the mean reflectance and emission.
+ * Horizontal coordinates (a, b) are (x, y) for up = z and (x, z) for up = y.
+ */
+typedef struct murk_ground_options {
+    murk_up up;
+    double height;                   /**< m */
+    double extent_min[2], extent_max[2]; /**< m, in (a, b) */
+    int patches[2];                  /**< nx, ny >= 1 */
+    double reflectance;              /**< rho in [0, 1], used where reflectance_image is NULL */
+    const float *reflectance_image;  /**< nx * ny values in image order (see below); copied */
+    double emission;                 /**< W/m^2, used where emission_image is NULL */
+    const float *emission_image;     /**< nx * ny values in image order; copied */
+    bool horizon;                    /**< false: nothing outside extent (black, no emission) */
+} murk_ground_options;
+/* Image order: row 0 is at the largest y (up = z) or the smallest z (up = y), that is the far edge
+   seen from above with x to the right; column 0 is at the smallest x. */
+
+#define MURK_GROUND_DEFAULT                                                                        \
+    {                                                                                              \
+        .up = MURK_UP_Z, .height = 0.0, .extent_min = {0, 0}, .extent_max = {1, 1},                \
+        .patches = {64, 64}, .reflectance = 0.3, .reflectance_image = NULL, .emission = 0.0,       \
+        .emission_image = NULL, .horizon = true                                                    \
+    }
+
+typedef struct murk_ground murk_ground;
+MURK_API murk_status murk_ground_create(murk_context *context, const murk_ground_options *options,
+                                        murk_ground **out);
+MURK_API void murk_ground_release(murk_ground *ground);
+/** nx and ny, without what horizon adds. */
+MURK_API void murk_ground_patches(const murk_ground *ground, int patches[2]);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Scene                                                                                       */
+/* ------------------------------------------------------------------------------------------ */
+
+/** A point source at infinity. */
+typedef struct murk_sun {
+    double direction[3]; /**< direction of travel, any length > 0 */
+    double irradiance;   /**< F [W/m^2] on a plane perpendicular to the beam; 0: no sun */
+} murk_sun;
+
+/** What is lit by what. The medium and the ground are borrowed for the call and kept alive by
+ *  solutions made from them. */
+typedef struct murk_scene {
+    const murk_medium *medium; /**< required; may hold no zones */
+    const murk_ground *ground; /**< NULL: none; the sky is then all around */
+    murk_sun sun;
+    double sky_radiance;       /**< uniform sky [W/m^2/sr] */
+} murk_scene;
+
+/** A scene that gives a picture with no further thought: a sun from the upper left behind the
+ *  camera, a uniform sky, and a ground under the medium (*ground, to be released by the caller)
+ *  that holds the medium's shadow and carries a bright square. */
+MURK_API murk_status murk_scene_default(murk_context *context, const murk_medium *medium,
+                                        murk_up up, murk_scene *scene, murk_ground **ground);
+
+/** Puts a default ground under the medium for the sun of the scene, as murk_scene_default() does;
+ *  what options leave open (extent_min == extent_max, patches 0) is chosen. */
+MURK_API murk_status murk_ground_fit(murk_context *context, const murk_medium *medium,
+                                     const murk_sun *sun, murk_ground_options *options);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Solve                                                                                       */
+/* ------------------------------------------------------------------------------------------ */
+
+typedef enum murk_method {
+    MURK_LINES,   /**< exchange over lattices of parallel lines, never stored: the default */
+    MURK_PAIRWISE /**< all exchange factors of [BG91] eqs. (3)-(6): O(N^2), small media only */
+} murk_method;
+
+typedef enum murk_solver {
+    MURK_CONJUGATE_GRADIENTS,
+    MURK_GAUSS_SEIDEL /**< [BG91] eqs. (7)-(10), pairwise only */
+} murk_solver;
+
+typedef struct murk_solve_options {
+    double tolerance;   /**< relative error of B asked for, kappa_t-weighted L2 norm (0.01 = 1 %) */
+    murk_method method;
+    murk_solver solver;
+    int directions;     /**< lines: 0 chooses by tolerance; else rounded up to a multiple of 48 */
+    int rays;           /**< lines: rays per voxel face and axis (1: one per face, 2: 2x2); 0: 1 */
+    double epsilon;     /**< Gauss-Seidel: largest change of a radiosity at the end [W/m^2] */
+    int max_iterations; /**< 0: 1000 */
+    int window[3];      /**< pairwise: zones Mx, My, Mz of [BG91] eq. (19); 0: all */
+} murk_solve_options;
+
+#define MURK_SOLVE_DEFAULT                                                                         \
+    {                                                                                              \
+        .tolerance = 0.01, .method = MURK_LINES, .solver = MURK_CONJUGATE_GRADIENTS,               \
+        .directions = 0, .rays = 0, .epsilon = 1e-9, .max_iterations = 0, .window = {0, 0, 0}      \
+    }
+
+/** The radiosities of the zones and patches of one scene. */
+typedef struct murk_solution murk_solution;
+
+/** What a solve did; energies in W over the medium, times in s. */
+typedef struct murk_report {
+    uint64_t zones, patches, bricks;
+    const char *method, *solver, *kernel;
+    int threads;
+    int directions;          /**< of the final quadrature; 0 for pairwise */
+    int iterations;          /**< Gauss-Seidel or conjugate-gradient steps, all levels */
+    int sweeps;              /**< applications of the exchange operator, weighted by directions */
+    double residual;         /**< relative, at the end */
+    double tolerance;        /**< as asked */
+    double estimate;         /**< relative error estimated: iteration and angular parts */
+    double estimate_iteration, estimate_angular;
+    bool reached;            /**< estimate <= tolerance */
+    double multiplications;         /**< [BG91] eq. (18) for this scene, per iteration */
+    double multiplications_window;  /**< [BG91] eq. (19); 0 without a window */
+    double energy_emitted;   /**< by the zones: sum of 4 kappa_a E V */
+    double energy_sun;       /**< sunlight extinguished in the zones */
+    double energy_diffuse;   /**< sky and ground light extinguished in the zones */
+    double energy_absorbed;  /**< in the zones: sum of kappa_a G V */
+    double energy_escaped;   /**< left the zones for sky and ground */
+    double energy_balance;   /**< |emitted + sun + diffuse - absorbed - escaped| / sources */
+    double seconds_setup, seconds_light, seconds_solve, seconds_finish;
+} murk_report;
+
+/**
+ * Solves [BG91] eqs. (1), (2) for the scene. options may be NULL. Returns MURK_NOT_REACHED, with
+ * a solution, where the estimated error stays above the tolerance.
+ */
+MURK_API murk_status murk_solve(murk_context *context, const murk_scene *scene,
+                                const murk_solve_options *options, murk_solution **out);
+MURK_API void murk_solution_release(murk_solution *solution);
+MURK_API const murk_report *murk_solution_report(const murk_solution *solution);
+
+/** Radiosity B [W/m^2] of the voxel at an index; NaN outside the solution's voxels. */
+MURK_API double murk_solution_radiosity(const murk_solution *solution, const int32_t index[3]);
+
+/**
+ * Copies the voxels of the solution (zones, other active input voxels, and the margin of two):
+ * index[3*n] and radiosity[n] may be NULL; *count is the number there are in all. At most
+ * capacity voxels are copied, in ascending order of bricks.
+ */
+MURK_API murk_status murk_solution_voxels(const murk_solution *solution, size_t capacity,
+                                          int32_t *index, float *radiosity, size_t *count);
+
+/** Copies the nx * ny patch radiosities [W/m^2] in image order. Fails when there is no ground. */
+MURK_API murk_status murk_solution_ground(const murk_solution *solution, float *radiosity);
+
+/** Which grids murk_solution_write() adds to the radiosity. */
+typedef struct murk_write_options {
+    const murk_volume *source;  /**< its density grid passes through untouched; may be NULL */
+    bool emission_coefficient;  /**< kappa_t * B / pi [W/m^3/sr] */
+    bool extinction;            /**< kappa_t [1/m] */
+    bool albedo;
+    bool half;                  /**< 16-bit floats */
+    const char *command;        /**< recorded in the file metadata; may be NULL */
+} murk_write_options;
+
+#define MURK_WRITE_DEFAULT                                                                         \
+    {                                                                                              \
+        .source = NULL, .emission_coefficient = false, .extinction = false, .albedo = false,       \
+        .half = false, .command = NULL                                                             \
+    }
+
+/** Writes the solution as VDB: to a file beside the target that is then renamed, or, for "-", as a
+ *  stream to standard output. Fails with MURK_ERROR_IO where that is impossible. */
+MURK_API murk_status murk_solution_write(const murk_solution *solution, const char *path,
+                                         const murk_write_options *options);
+
+/** Takes a solution from the "radiosity" grid of a volume: the light on the ground follows from it
+ *  by one application of the exchange operator; nothing is solved again. */
+MURK_API murk_status murk_solution_from_volume(murk_context *context, const murk_scene *scene,
+                                               const murk_volume *volume, murk_solution **out);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Render                                                                                      */
+/* ------------------------------------------------------------------------------------------ */
+
+/** A pinhole camera in right-handed world coordinates. */
+typedef struct murk_camera {
+    double eye[3], target[3], up[3];
+    double fov;   /**< vertical field of view, degrees, in (0, 180) */
+    int size[2];  /**< width, height in pixels, >= 1 */
+} murk_camera;
+
+/** A camera that frames the medium and its shadow on the ground. */
+MURK_API murk_status murk_camera_default(murk_context *context, const murk_scene *scene,
+                                         murk_camera *out);
+
+/** Pixels with named channels, row 0 at the top. */
+typedef struct murk_image murk_image;
+
+typedef struct murk_render_options {
+    int samples;           /**< per pixel and axis; 0: 2 (that is 4 a pixel) */
+    bool no_background;    /**< leave ground and sky out of the picture (they still light it) */
+    const murk_image *background; /**< shown where a ray meets neither ground nor ... ; may be NULL */
+} murk_render_options;
+
+#define MURK_RENDER_DEFAULT { .samples = 0, .no_background = false, .background = NULL }
+
+/**
+ * Renders [BG91] eq. (11): channels R G B A (premultiplied by the medium's opacity,
+ * A = 1 - transmittance), transmittance.Y, path.R path.G path.B (light from the medium),
+ * surface.R surface.G surface.B (attenuated light of ground, sky or background; R = path.R +
+ * surface.R) [W/m^2/sr] and Z, the distance [m] at which half the ray's optical depth is passed
+ * (infinite where the ray meets no medium). options may be NULL.
+ */
+MURK_API murk_status murk_render(murk_context *context, const murk_scene *scene,
+                                 const murk_solution *solution, const murk_camera *camera,
+                                 const murk_render_options *options, murk_image **out);
+
+/** Makes an image of float channels; names are copied, pixels start at 0. */
+MURK_API murk_status murk_image_create(murk_context *context, int width, int height, int channels,
+                                       const char *const *names, murk_image **out);
+/** Reads any image that OpenImageIO reads, as linear floats with its channel names. */
+MURK_API murk_status murk_image_read(murk_context *context, const char *path, murk_image **out);
+MURK_API void murk_image_release(murk_image *image);
+MURK_API int murk_image_width(const murk_image *image);
+MURK_API int murk_image_height(const murk_image *image);
+MURK_API int murk_image_channels(const murk_image *image);
+MURK_API const char *murk_image_channel_name(const murk_image *image, int channel);
+/** All pixels: width * height * channels floats, channels of a pixel together, row 0 on top. */
+MURK_API float *murk_image_pixels(murk_image *image);
+MURK_API const float *murk_image_pixels_const(const murk_image *image);
+
+typedef struct murk_image_write_options {
+    double exposure;     /**< stops, for 8-bit formats; NaN: brings the 99th percentile of the
+                              luminance to the display value 0.9 */
+    const char *command; /**< recorded as metadata where the format can; may be NULL */
+    const char *units;   /**< likewise, "W/m^2/sr"; may be NULL */
+} murk_image_write_options;
+
+#define MURK_IMAGE_WRITE_DEFAULT                                                                   \
+    {                                                                                              \
+        .exposure = NAN, .command = NULL, .units = NULL                                           \
+    }
+
+/** Writes an image; the format follows the path's extension. EXR keeps all channels as linear
+ *  floats; PNG and other 8-bit formats take R, G, B with exposure and the sRGB curve, values that
+ *  are not finite as 0. Written beside the target, then renamed. options may be NULL. */
+MURK_API murk_status murk_image_write(murk_context *context, const murk_image *image,
+                                      const char *path, const murk_image_write_options *options);
+
+/** Fails as murk_image_write() or, for .vdb and "-", murk_solution_write() would for this path:
+ *  unknown format, folder that is not there or cannot be written. To be asked before long work. */
+MURK_API murk_status murk_output_check(murk_context *context, const char *path);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

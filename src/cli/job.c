@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "job.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+murk_status cli_job_fail(struct cli_job *job, murk_status status)
+{
+    if (status != MURK_OK && status != MURK_NOT_REACHED)
+        cli_error(&job->terminal, "%s", murk_context_message(job->context));
+    return status;
+}
+
+murk_status cli_job_start(struct cli_job *job, const struct cli_options *options,
+                          const char *command, const char *command_line)
+{
+    *job = (struct cli_job){.options = options,
+                            .command = command,
+                            .command_line = command_line,
+                            .started = cli_seconds()};
+    cli_terminal_init(&job->terminal, options->quiet, options->verbose);
+    murk_context_options context = MURK_CONTEXT_DEFAULT;
+    context.threads = options->threads;
+    context.kernel = options->kernel >= 0 ? CLI_KERNELS[options->kernel] : NULL;
+    context.log = cli_terminal_log;
+    context.progress = cli_terminal_progress;
+    context.user = &job->terminal;
+    murk_status status = murk_context_create(&context, &job->context);
+    if (status == MURK_ERROR_INPUT)
+        cli_error(&job->terminal, "--kernel %s: this processor does not have it", context.kernel);
+    else if (status != MURK_OK)
+        cli_error(&job->terminal, "%s", murk_status_text(status));
+    return status;
+}
+
+/* What the command line says goes before what the scene says. */
+static void apply_options(const struct cli_options *options, struct scene_description *description)
+{
+    murk_medium_options *medium = &description->medium;
+    murk_camera *camera = &description->camera;
+    if (options->grid)
+        medium->extinction.grid = options->grid;
+    if (!isnan(options->scale))
+        medium->extinction.scale = options->scale;
+    if (options->albedo) {
+        char *end;
+        double value = strtod(options->albedo, &end);
+        bool number = *end == '\0';
+        medium->albedo = (murk_quantity){number ? NULL : options->albedo, 1.0, number ? value : 0};
+    }
+    if (!isnan(options->voxel_size))
+        medium->voxel_size = options->voxel_size;
+    if (options->voxels >= 0)
+        medium->corner = options->voxels == 1;
+    if (options->up >= 0)
+        description->up = options->up == 1 ? MURK_UP_Y : MURK_UP_Z;
+    medium->strict |= options->strict;
+    if (!isnan(options->eye[0]))
+        memcpy(camera->eye, options->eye, sizeof camera->eye);
+    if (!isnan(options->target[0]))
+        memcpy(camera->target, options->target, sizeof camera->target);
+    if (!isnan(options->fov))
+        camera->fov = options->fov;
+    if (options->size[0] > 0)
+        memcpy(camera->size, options->size, sizeof camera->size);
+    if (options->no_background)
+        description->background = "none";
+}
+
+bool cli_has_extension(const char *path, const char *extension)
+{
+    size_t length = strlen(path), tail = strlen(extension);
+    return length > tail && !strcasecmp(path + length - tail, extension);
+}
+
+murk_status cli_job_read(struct cli_job *job)
+{
+    const char *input = job->options->input;
+    char message[SCENE_MESSAGE_SIZE] = "";
+    murk_status status = MURK_OK;
+    if (cli_has_extension(input, ".json"))
+        status = scene_parse(input, &job->description, message);
+    else
+        scene_describe_volume(input, &job->description);
+    if (status == MURK_OK) {
+        apply_options(job->options, &job->description);
+        status = scene_read_volume(job->context, &job->description, &job->scene, message);
+    }
+    if (status != MURK_OK)
+        cli_error(&job->terminal, "%s", message);
+    job->seconds_read = cli_seconds() - job->started;
+    return status;
+}
+
+murk_status cli_job_build(struct cli_job *job)
+{
+    char message[SCENE_MESSAGE_SIZE] = "";
+    double start = cli_seconds();
+    murk_status status = scene_build(job->context, &job->description, &job->scene, message);
+    if (status != MURK_OK) {
+        cli_error(&job->terminal, "%s", message);
+    } else if (job->options->ground_radiosity && !job->scene.ground) {
+        cli_error(&job->terminal, "--ground-radiosity: the scene has no ground");
+        status = MURK_ERROR_INPUT;
+    }
+    job->seconds_read += cli_seconds() - start;
+    return status;
+}
+
+murk_status cli_job_solve(struct cli_job *job)
+{
+    murk_status status =
+        murk_solve(job->context, &job->scene.scene, &job->options->solve, &job->solution);
+    cli_terminal_clear(&job->terminal);
+    return cli_job_fail(job, status);
+}
+
+murk_status cli_job_render(struct cli_job *job)
+{
+    double start = cli_seconds();
+    murk_render_options options = MURK_RENDER_DEFAULT;
+    options.samples = job->options->samples;
+    options.no_background = job->scene.no_background;
+    options.background = job->scene.background;
+    murk_status status = murk_render(job->context, &job->scene.scene, job->solution,
+                                     &job->scene.camera, &options, &job->picture);
+    cli_terminal_clear(&job->terminal);
+    job->seconds_render = cli_seconds() - start;
+    return cli_job_fail(job, status);
+}
+
+int cli_job_end(struct cli_job *job, murk_status status)
+{
+    cli_terminal_clear(&job->terminal);
+    murk_image_release(job->picture);
+    murk_solution_release(job->solution);
+    scene_release(&job->scene);
+    scene_description_release(&job->description);
+    murk_context_release(job->context);
+    switch (status) {
+    case MURK_OK:
+        return 0;
+    case MURK_ERROR_INPUT:
+        return 1;
+    case MURK_NOT_REACHED:
+        return 3;
+    default:
+        return 2;
+    }
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* One run of a command: its input, its objects, its times. */
+#ifndef CLI_JOB_H
+#define CLI_JOB_H
+
+#include "options.h"
+#include "scene.h"
+#include "terminal.h"
+
+struct cli_job {
+    const struct cli_options *options;
+    const char *command, *command_line;
+    struct cli_terminal terminal;
+    murk_context *context;
+    struct scene_description description;
+    struct scene scene;
+    murk_solution *solution;
+    murk_image *picture;
+    double started;
+    double seconds_read, seconds_render, seconds_write;
+};
+
+/* Creates the context. All functions here give a murk_status and have told the user about a
+   failure; MURK_NOT_REACHED comes from cli_job_solve() alone. */
+murk_status cli_job_start(struct cli_job *job, const struct cli_options *options,
+                          const char *command, const char *command_line);
+
+/* Reads INPUT: the description (options go before what it says) and the volume. */
+murk_status cli_job_read(struct cli_job *job);
+
+/* Builds the scene, after cli_job_read(). */
+murk_status cli_job_build(struct cli_job *job);
+
+murk_status cli_job_solve(struct cli_job *job);
+murk_status cli_job_render(struct cli_job *job);
+
+/* Releases everything; gives the exit status for what the job came to. */
+int cli_job_end(struct cli_job *job, murk_status status);
+
+/* Whether path ends in extension (".vdb"), in any case. */
+bool cli_has_extension(const char *path, const char *extension);
+
+/* Tells the context's message for a failure; passes status on. */
+murk_status cli_job_fail(struct cli_job *job, murk_status status);
+
+#endif

@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "options.h"
+
+#include "nearest.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* What is being parsed, for messages. */
+struct parser {
+    enum cli_command command;
+    const char *command_name;
+    char *message;
+    size_t size;
+};
+
+static const struct cli_option *find_option(const struct parser *parser, const char *name,
+                                            size_t length)
+{
+    size_t count;
+    const struct cli_option *table = cli_option_table(&count);
+    for (size_t i = 0; i < count; i++)
+        if ((table[i].commands & parser->command) && strlen(table[i].name) == length &&
+            !strncmp(table[i].name, name, length))
+            return &table[i];
+    return NULL;
+}
+
+static const struct cli_option *find_letter(const struct parser *parser, char letter)
+{
+    size_t count;
+    const struct cli_option *table = cli_option_table(&count);
+    for (size_t i = 0; i < count; i++)
+        if ((table[i].commands & parser->command) && table[i].letter == letter)
+            return &table[i];
+    return NULL;
+}
+
+static bool unknown_option(const struct parser *parser, const char *argument, size_t length)
+{
+    size_t count;
+    const struct cli_option *table = cli_option_table(&count);
+    struct scene_nearest nearest = {0};
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", (int)length, argument);
+    const char *bare = name + strspn(name, "-");
+    for (size_t i = 0; i < count; i++)
+        if (table[i].commands & parser->command)
+            scene_nearest_offer(&nearest, bare, table[i].name);
+    snprintf(parser->message, parser->size,
+             "%s: unknown option of murk %s; the nearest known one is --%s", name,
+             parser->command_name, nearest.word);
+    return false;
+}
+
+static bool bad_value(const struct parser *parser, const struct cli_option *option,
+                      const char *text)
+{
+    int used = snprintf(parser->message, parser->size, "--%s %s: is not %s", option->name, text,
+                        option->expected ? option->expected : "one of");
+    for (int i = 0; !option->expected && option->choices[i]; i++)
+        if (used > 0 && (size_t)used < parser->size)
+            used += snprintf(parser->message + used, parser->size - (size_t)used, "%s %s",
+                             i ? "," : "", option->choices[i]);
+    return false;
+}
+
+/* One option at arguments[*at]; *at is moved to its value where that is an argument of its own. */
+static bool parse_option(const struct parser *parser, int count, char *const *arguments, int *at,
+                         struct cli_options *out)
+{
+    const char *argument = arguments[*at], *text = NULL;
+    bool is_long = argument[1] == '-';
+    size_t length = is_long ? strcspn(argument, "=") : 2;
+    const struct cli_option *option =
+        is_long ? find_option(parser, argument + 2, length - 2) : find_letter(parser, argument[1]);
+    if (!option)
+        return unknown_option(parser, argument, length);
+    if (argument[length])
+        text = argument + length + is_long;
+    if (!option->argument && text) {
+        snprintf(parser->message, parser->size, "%.*s: takes no value", (int)length, argument);
+        return false;
+    }
+    if (option->argument && !text) {
+        if (*at + 1 == count) {
+            snprintf(parser->message, parser->size, "%s: needs a value %s", argument,
+                     option->argument);
+            return false;
+        }
+        text = arguments[++*at];
+    }
+    return option->value(text, (char *)out + option->offset, option) ||
+           bad_value(parser, option, text);
+}
+
+static void set_defaults(struct cli_options *options)
+{
+    const murk_solve_options solve = MURK_SOLVE_DEFAULT;
+    *options = (struct cli_options){
+        .scale = NAN,
+        .voxel_size = NAN,
+        .voxels = -1,
+        .up = -1,
+        .solve = solve,
+        .eye = {NAN, NAN, NAN},
+        .target = {NAN, NAN, NAN},
+        .fov = NAN,
+        .exposure = NAN,
+        .kernel = -1,
+    };
+}
+
+bool cli_options_parse(enum cli_command command, const char *command_name, int count,
+                       char *const *arguments, struct cli_options *out, char *message, size_t size)
+{
+    struct parser parser = {command, command_name, message, size};
+    bool only_input = false;
+    set_defaults(out);
+    for (int at = 0; at < count; at++) {
+        const char *argument = arguments[at];
+        if (!only_input && !strcmp(argument, "--")) {
+            only_input = true;
+        } else if (!only_input && argument[0] == '-' && argument[1]) {
+            if (!parse_option(&parser, count, arguments, &at, out))
+                return false;
+        } else if (out->input) {
+            snprintf(message, size, "murk %s takes one INPUT, and \"%s\" is a second", command_name,
+                     argument);
+            return false;
+        } else {
+            out->input = argument;
+        }
+    }
+    if (!out->input && !out->help) {
+        snprintf(message, size, "murk %s needs an INPUT: a .vdb or .json file, or -", command_name);
+        return false;
+    }
+    out->solve.method = out->method == 1 ? MURK_PAIRWISE : MURK_LINES;
+    out->solve.solver = out->solver == 1 ? MURK_GAUSS_SEIDEL : MURK_CONJUGATE_GRADIENTS;
+    return true;
+}

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The options of all commands: one table drives parsing, help and errors. */
+#ifndef CLI_OPTIONS_H
+#define CLI_OPTIONS_H
+
+#include "murk/murk.h"
+
+/* Commands, as bits. */
+enum cli_command {
+    CLI_IMAGE = 1,
+    CLI_SOLVE = 2,
+    CLI_RENDER = 4,
+    CLI_INFO = 8,
+    CLI_ALL = CLI_IMAGE | CLI_SOLVE | CLI_RENDER | CLI_INFO
+};
+
+/* Numbers that are not given are NaN, sizes 0, texts NULL, choices -1. */
+struct cli_options {
+    const char *input;
+    const char *output, *preview, *ground_radiosity;
+    const char *radiosity; /* image: written; render: read */
+
+    const char *grid, *albedo;
+    double scale, voxel_size;
+    int voxels, up;
+    bool strict;
+
+    murk_solve_options solve;
+    int method, solver;
+
+    double eye[3], target[3], fov;
+    int size[2], samples;
+    bool no_background;
+    double exposure;
+
+    bool half, emission_coefficient, extinction_grid, albedo_grid;
+
+    int threads, kernel;
+    bool json, quiet, verbose, help;
+};
+
+struct cli_option;
+/* Puts the text of a value into field; false where it is no such value. */
+typedef bool cli_value_fn(const char *text, void *field, const struct cli_option *option);
+
+struct cli_option {
+    const char *name;     /* "tolerance" */
+    char letter;          /* of the short form, or 0 */
+    unsigned commands;    /* that have it */
+    const char *section;  /* of the help text */
+    const char *argument; /* NULL: a flag */
+    const char *help;
+    cli_value_fn *value;
+    size_t offset; /* in struct cli_options */
+    double min, max;
+    const char *const *choices; /* NULL-terminated */
+    const char *expected;       /* for messages: "a number > 0" */
+};
+
+/* The table; *count rows in the order of the help text. */
+const struct cli_option *cli_option_table(size_t *count);
+
+/* The choices of the options named after them. */
+extern const char *const CLI_KERNELS[];
+
+/* Reads the arguments after the command's name. False with the one line in message (of size
+   bytes) where they are wrong. */
+bool cli_options_parse(enum cli_command command, const char *command_name, int count,
+                       char *const *arguments, struct cli_options *out, char *message, size_t size);
+
+#endif

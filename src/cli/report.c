@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+json_t *cli_json_number(double number)
+{
+    return isfinite(number) ? json_real(number) : json_null();
+}
+
+json_t *cli_json_numbers(const double *numbers, size_t count)
+{
+    json_t *array = json_array();
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(array, cli_json_number(numbers[i]));
+    return array;
+}
+
+json_t *cli_json_text(const char *text)
+{
+    return text ? json_string_nocheck(text) : json_null();
+}
+
+void cli_print_json(json_t *object)
+{
+    json_dumpf(object, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+    fputc('\n', stdout);
+    json_decref(object);
+}
+
+static const char *status_word(murk_status status)
+{
+    return status == MURK_NOT_REACHED ? "tolerance not reached" : "done";
+}
+
+static void say_outputs(struct cli_job *job)
+{
+    const struct cli_options *options = job->options;
+    if (!strcmp(job->command, "solve"))
+        cli_say(&job->terminal, "radiosity in %s", options->output);
+    else if (options->preview)
+        cli_say(&job->terminal, "picture in %s, to look at in %s", options->output,
+                options->preview);
+    else
+        cli_say(&job->terminal, "picture in %s", options->output);
+    if (!strcmp(job->command, "image") && options->radiosity)
+        cli_say(&job->terminal, "radiosity in %s", options->radiosity);
+    if (options->ground_radiosity)
+        cli_say(&job->terminal, "ground radiosity in %s", options->ground_radiosity);
+}
+
+void cli_report_say(struct cli_job *job, murk_status status)
+{
+    const murk_report *report = murk_solution_report(job->solution);
+    double seconds = cli_seconds() - job->started;
+    if (!strcmp(job->command, "render"))
+        cli_say(&job->terminal, "%llu zones, %llu patches, %.2f s",
+                (unsigned long long)report->zones, (unsigned long long)report->patches, seconds);
+    else
+        cli_say(&job->terminal,
+                "%llu zones, %llu patches, %d iterations, %.2f s, estimated error %.2g %% "
+                "(asked for %.2g %%)",
+                (unsigned long long)report->zones, (unsigned long long)report->patches,
+                report->iterations, seconds, 100.0 * report->estimate, 100.0 * report->tolerance);
+    say_outputs(job);
+    if (status == MURK_NOT_REACHED) /* said even when quiet: it is why the exit status is 3 */
+        cli_error(&job->terminal,
+                  "the tolerance of %.3g %% was not reached: the estimated error is %.3g %%; the "
+                  "result is written",
+                  100.0 * report->tolerance, 100.0 * report->estimate);
+}
+
+static json_t *solution_json(const murk_report *report)
+{
+    json_t *object = json_object();
+    json_object_set_new(object, "zones", json_integer((json_int_t)report->zones));
+    json_object_set_new(object, "patches", json_integer((json_int_t)report->patches));
+    json_object_set_new(object, "bricks", json_integer((json_int_t)report->bricks));
+    json_object_set_new(object, "method", cli_json_text(report->method));
+    json_object_set_new(object, "solver", cli_json_text(report->solver));
+    json_object_set_new(object, "kernel", cli_json_text(report->kernel));
+    json_object_set_new(object, "threads", json_integer(report->threads));
+    json_object_set_new(object, "directions", json_integer(report->directions));
+    json_object_set_new(object, "iterations", json_integer(report->iterations));
+    json_object_set_new(object, "sweeps", json_integer(report->sweeps));
+    json_object_set_new(object, "residual", cli_json_number(report->residual));
+    json_object_set_new(object, "tolerance", cli_json_number(report->tolerance));
+    json_object_set_new(object, "estimate", cli_json_number(report->estimate));
+    json_object_set_new(object, "estimate_iteration", cli_json_number(report->estimate_iteration));
+    json_object_set_new(object, "estimate_angular", cli_json_number(report->estimate_angular));
+    json_object_set_new(object, "reached", json_boolean(report->reached));
+    json_object_set_new(object, "multiplications", cli_json_number(report->multiplications));
+    json_object_set_new(object, "multiplications_window",
+                        cli_json_number(report->multiplications_window));
+    return object;
+}
+
+static json_t *energy_json(const murk_report *report)
+{
+    json_t *object = json_object();
+    json_object_set_new(object, "emitted", cli_json_number(report->energy_emitted));
+    json_object_set_new(object, "sun", cli_json_number(report->energy_sun));
+    json_object_set_new(object, "diffuse", cli_json_number(report->energy_diffuse));
+    json_object_set_new(object, "absorbed", cli_json_number(report->energy_absorbed));
+    json_object_set_new(object, "escaped", cli_json_number(report->energy_escaped));
+    json_object_set_new(object, "balance", cli_json_number(report->energy_balance));
+    return object;
+}
+
+static json_t *seconds_json(const struct cli_job *job, const murk_report *report)
+{
+    json_t *object = json_object();
+    json_object_set_new(object, "read", cli_json_number(job->seconds_read));
+    json_object_set_new(object, "setup", cli_json_number(report->seconds_setup));
+    json_object_set_new(object, "light", cli_json_number(report->seconds_light));
+    json_object_set_new(object, "solve", cli_json_number(report->seconds_solve));
+    json_object_set_new(object, "finish", cli_json_number(report->seconds_finish));
+    json_object_set_new(object, "render", cli_json_number(job->seconds_render));
+    json_object_set_new(object, "write", cli_json_number(job->seconds_write));
+    json_object_set_new(object, "total", cli_json_number(cli_seconds() - job->started));
+    return object;
+}
+
+void cli_report_json(const struct cli_job *job, murk_status status)
+{
+    const struct cli_options *options = job->options;
+    const murk_report *report = murk_solution_report(job->solution);
+    bool render = !strcmp(job->command, "render");
+    json_t *object = json_object(), *inputs = json_object(), *outputs = json_object();
+    json_object_set_new(inputs, "input", cli_json_text(options->input));
+    json_object_set_new(inputs, "medium", cli_json_text(job->description.medium_file));
+    json_object_set_new(inputs, "radiosity", cli_json_text(render ? options->radiosity : NULL));
+    json_object_set_new(outputs, "output", cli_json_text(options->output));
+    json_object_set_new(outputs, "preview", cli_json_text(options->preview));
+    json_object_set_new(outputs, "radiosity", cli_json_text(render ? NULL : options->radiosity));
+    json_object_set_new(outputs, "ground_radiosity", cli_json_text(options->ground_radiosity));
+    json_object_set_new(object, "murk", json_string(MURK_VERSION));
+    json_object_set_new(object, "command", cli_json_text(job->command_line));
+    json_object_set_new(object, "status", json_string(status_word(status)));
+    json_object_set_new(object, "inputs", inputs);
+    json_object_set_new(object, "outputs", outputs);
+    json_object_update_new(object, solution_json(report));
+    json_object_set_new(object, "energy", energy_json(report));
+    json_object_set_new(object, "seconds", seconds_json(job, report));
+    cli_print_json(object);
+}

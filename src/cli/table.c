@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "options.h"
+#include "values.h"
+
+#include <float.h>
+
+static const char *const METHODS[] = {"lines", "pairwise", NULL};
+static const char *const SOLVERS[] = {"cg", "gauss-seidel", NULL};
+static const char *const VOXELS[] = {"center", "corner", NULL};
+static const char *const UPS[] = {"z", "y", NULL};
+const char *const CLI_KERNELS[] = {"avx512", "avx2", "portable", NULL};
+
+enum {
+    PICTURE = CLI_IMAGE | CLI_RENDER,
+    SOLVING = CLI_IMAGE | CLI_SOLVE,
+};
+
+static const char OUTPUT[] = "Output";
+static const char MEDIUM[] = "Medium (these go before what a scene file says)";
+static const char SOLVE[] = "Solution";
+static const char CAMERA[] = "Camera and picture";
+static const char GRIDS[] = "Grids of the radiosity VDB";
+static const char GENERAL[] = "General";
+
+#define FIELD(name)            .offset = offsetof(struct cli_options, name)
+#define FLAG(name)             .value = cli_value_flag, FIELD(name)
+#define TEXT(name)             .value = cli_value_text, FIELD(name), .expected = "a name"
+#define CHOICE(name, list)     .value = cli_value_choice, FIELD(name), .choices = list
+#define POSITIVE               .min = DBL_MIN, .max = DBL_MAX, .expected = "a number > 0"
+#define WHOLE(low, high, text) .min = low, .max = high, .expected = text
+
+static const struct cli_option TABLE[] = {
+    {"output", 'o', PICTURE, OUTPUT, "FILE",
+     "the picture: .exr keeps everything; .png, .jpg, .tif and others are for looking at",
+     TEXT(output)},
+    {"output", 'o', CLI_SOLVE, OUTPUT, "FILE",
+     "the radiosity as .vdb, or - for a VDB stream to standard output", TEXT(output)},
+    {"preview", 0, PICTURE, OUTPUT, "FILE", "the picture once more, as .png say", TEXT(preview)},
+    {"radiosity", 0, CLI_IMAGE, OUTPUT, "FILE", "keep the radiosity too, as .vdb", TEXT(radiosity)},
+    {"radiosity", 0, CLI_RENDER, "Input", "FILE", "the radiosity .vdb that murk solve wrote",
+     TEXT(radiosity)},
+    {"ground-radiosity", 0, SOLVING, OUTPUT, "FILE",
+     "the radiosity of the ground patches [W/m^2] as .exr, one pixel a patch",
+     TEXT(ground_radiosity)},
+    {"json", 0, CLI_ALL, OUTPUT, NULL, "print the report as JSON on standard output", FLAG(json)},
+
+    {"grid", 0, CLI_ALL, MEDIUM, "NAME", "the grid to take the extinction from", TEXT(grid)},
+    {"scale", 0, CLI_ALL, MEDIUM, "S", "extinction [1/m] = S times the grid's value",
+     .value = cli_value_number, FIELD(scale), POSITIVE},
+    {"albedo", 0, CLI_ALL, MEDIUM, "A", "single-scattering albedo: a number or a grid's name",
+     TEXT(albedo)},
+    {"voxel-size", 0, CLI_ALL, MEDIUM, "D", "edge of a voxel [m], where the file's is wrong",
+     .value = cli_value_number, FIELD(voxel_size), POSITIVE},
+    {"voxels", 0, CLI_ALL, MEDIUM, "WHERE", "what a voxel's index is: its center or its corner",
+     CHOICE(voxels, VOXELS)},
+    {"up", 0, CLI_ALL, MEDIUM, "AXIS", "the axis that points up: z or y", CHOICE(up, UPS)},
+    {"strict", 0, CLI_ALL, MEDIUM, NULL, "NaN, infinite and negative values are an error",
+     FLAG(strict)},
+
+    {"tolerance", 0, SOLVING, SOLVE, "T", "relative error asked for: 1% (the default) or 0.01",
+     .value = cli_value_percent, FIELD(solve.tolerance),
+     .expected = "between 0 and 100 %; write 1% or 0.01"},
+    {"method", 0, SOLVING, SOLVE, "M", "lines (the default) or pairwise (small media)",
+     CHOICE(method, METHODS)},
+    {"solver", 0, SOLVING, SOLVE, "S", "cg (the default) or gauss-seidel (pairwise only)",
+     CHOICE(solver, SOLVERS)},
+    {"directions", 0, SOLVING, SOLVE, "N", "lines: directions, rounded up to a multiple of 48",
+     .value = cli_value_count, FIELD(solve.directions),
+     WHOLE(1, 1000000, "a whole number from 1 to 1000000")},
+    {"rays", 0, SOLVING, SOLVE, "N", "lines: N x N rays for each voxel face",
+     .value = cli_value_count, FIELD(solve.rays), WHOLE(1, 16, "a whole number from 1 to 16")},
+    {"epsilon", 0, SOLVING, SOLVE, "E", "gauss-seidel: largest change at the end [W/m^2]",
+     .value = cli_value_number, FIELD(solve.epsilon), POSITIVE},
+    {"max-iterations", 0, SOLVING, SOLVE, "N", "stop after N iterations (1000)",
+     .value = cli_value_count, FIELD(solve.max_iterations),
+     WHOLE(1, 1000000000, "a whole number >= 1")},
+    {"window", 0, SOLVING, SOLVE, "MxNxK", "pairwise: exchange within a window of zones only",
+     .value = cli_value_window, FIELD(solve.window),
+     WHOLE(1, 1000000, "three whole numbers such as 10x10x4")},
+
+    {"size", 0, PICTURE, CAMERA, "WxH", "pixels", .value = cli_value_size, FIELD(size),
+     WHOLE(1, 65536, "a width and height from 1 to 65536, such as 640x480")},
+    {"samples", 0, PICTURE, CAMERA, "N", "N x N rays for each pixel (2)", .value = cli_value_count,
+     FIELD(samples), WHOLE(1, 64, "a whole number from 1 to 64")},
+    {"eye", 0, PICTURE, CAMERA, "X,Y,Z", "where the camera is [m]", .value = cli_value_vector,
+     FIELD(eye), .expected = "three numbers such as 2,-2,1.5"},
+    {"target", 0, PICTURE, CAMERA, "X,Y,Z", "what it looks at [m]", .value = cli_value_vector,
+     FIELD(target), .expected = "three numbers such as 0.5,0.5,0.3"},
+    {"fov", 0, PICTURE, CAMERA, "DEGREES", "vertical field of view", .value = cli_value_number,
+     FIELD(fov), .min = 1e-3, .max = 179.999, .expected = "between 0 and 180 degrees"},
+    {"no-background", 0, PICTURE, CAMERA, NULL,
+     "leave ground and sky out of the picture; they still light the medium", FLAG(no_background)},
+    {"exposure", 0, PICTURE, CAMERA, "STOPS",
+     "for .png and the like; without it the 99th percentile of the luminance shows as 0.9",
+     .value = cli_value_number, FIELD(exposure), .min = -100, .max = 100,
+     .expected = "a number of stops from -100 to 100"},
+
+    {"half", 0, SOLVING, GRIDS, NULL, "store 16-bit floats", FLAG(half)},
+    {"emission-coefficient", 0, SOLVING, GRIDS, NULL,
+     "add emission_coefficient = kappa_t B / pi [W/m^3/sr]", FLAG(emission_coefficient)},
+    {"extinction-grid", 0, SOLVING, GRIDS, NULL, "add extinction [1/m]", FLAG(extinction_grid)},
+    {"albedo-grid", 0, SOLVING, GRIDS, NULL, "add albedo", FLAG(albedo_grid)},
+
+    {"threads", 0, CLI_ALL, GENERAL, "N", "threads (all processors)", .value = cli_value_count,
+     FIELD(threads), WHOLE(1, 4096, "a whole number from 1 to 4096")},
+    {"kernel", 0, CLI_IMAGE | CLI_SOLVE | CLI_RENDER, GENERAL, "K",
+     "avx512, avx2 or portable; the fastest that this processor has", CHOICE(kernel, CLI_KERNELS)},
+    {"quiet", 'q', CLI_ALL, GENERAL, NULL, "print errors only", FLAG(quiet)},
+    {"verbose", 'v', CLI_ALL, GENERAL, NULL, "tell more", FLAG(verbose)},
+    {"help", 'h', CLI_ALL, GENERAL, NULL, "print this text", FLAG(help)},
+};
+
+const struct cli_option *cli_option_table(size_t *count)
+{
+    *count = sizeof TABLE / sizeof *TABLE;
+    return TABLE;
+}

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "work.h"
+
+#include "output.h"
+#include "report.h"
+
+#include <string.h>
+
+static bool failed(murk_status status)
+{
+    return status != MURK_OK && status != MURK_NOT_REACHED;
+}
+
+/* From the command line to a scene whose outputs can be written, as far as one can tell. */
+static murk_status prepare(struct cli_job *job, const struct cli_options *options,
+                           const char *command, const char *command_line)
+{
+    murk_status status = cli_job_start(job, options, command, command_line);
+    if (status == MURK_OK)
+        status = cli_output_check(job);
+    if (status == MURK_OK)
+        status = cli_job_read(job);
+    return status == MURK_OK ? cli_job_build(job) : status;
+}
+
+/* Writes everything, tells what came out, and ends the job. */
+static int conclude(struct cli_job *job, murk_status status)
+{
+    if (!failed(status)) {
+        murk_status written = cli_output_write(job);
+        if (written == MURK_OK)
+            cli_report_say(job, status);
+        else
+            status = written;
+    }
+    if (!failed(status) && job->options->json)
+        cli_report_json(job, status);
+    return cli_job_end(job, status);
+}
+
+int cli_image(const struct cli_options *options, const char *command_line)
+{
+    struct cli_job job;
+    murk_status status = prepare(&job, options, "image", command_line);
+    if (!failed(status))
+        status = cli_job_solve(&job);
+    if (!failed(status)) {
+        murk_status rendered = cli_job_render(&job);
+        status = rendered == MURK_OK ? status : rendered;
+    }
+    return conclude(&job, status);
+}
+
+int cli_solve(const struct cli_options *options, const char *command_line)
+{
+    struct cli_job job;
+    murk_status status = prepare(&job, options, "solve", command_line);
+    if (!failed(status))
+        status = cli_job_solve(&job);
+    return conclude(&job, status);
+}
+
+/* The solution of an earlier run, from its VDB. */
+static murk_status read_solution(struct cli_job *job)
+{
+    murk_volume *volume = NULL;
+    double start = cli_seconds();
+    murk_status status = murk_volume_read(job->context, job->options->radiosity, &volume);
+    if (status == MURK_OK)
+        status = murk_solution_from_volume(job->context, &job->scene.scene, volume, &job->solution);
+    murk_volume_release(volume);
+    cli_terminal_clear(&job->terminal);
+    job->seconds_read += cli_seconds() - start;
+    return cli_job_fail(job, status);
+}
+
+int cli_render(const struct cli_options *options, const char *command_line)
+{
+    struct cli_job job;
+    struct cli_terminal terminal;
+    cli_terminal_init(&terminal, options->quiet, options->verbose);
+    if (!options->radiosity) {
+        cli_error(&terminal, "murk render needs --radiosity FILE.vdb, which murk solve writes");
+        return 1;
+    }
+    if (!strcmp(options->radiosity, "-") && !strcmp(options->input, "-")) {
+        cli_error(&terminal, "INPUT and --radiosity cannot both be standard input");
+        return 1;
+    }
+    murk_status status = prepare(&job, options, "render", command_line);
+    if (status == MURK_OK)
+        status = read_solution(&job);
+    if (status == MURK_OK)
+        status = cli_job_render(&job);
+    return conclude(&job, status);
+}

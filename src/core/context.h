@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The context inside the library: errors, log, progress, memory. */
+#ifndef MURK_CORE_CONTEXT_H
+#define MURK_CORE_CONTEXT_H
+
+#include "murk/murk.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct murk_context {
+    int threads;
+    const char *kernel; /* a static name, or NULL for the fastest */
+    murk_log_fn *log;
+    murk_progress_fn *progress;
+    void *user;
+    char message[1024];
+};
+
+/* Records the message of the failure that is being returned and gives back status. Whoever detects
+   an error calls it once; callers pass the status on. */
+murk_status murk_fail(murk_context *context, murk_status status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Log one line; silent where the context has no log. */
+void murk_warn(murk_context *context, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void murk_note(murk_context *context, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+void murk_progress(murk_context *context, const char *stage, double done);
+
+/* Zeroed memory aligned to 64 bytes for count items of size bytes, NULL where it fails (count 0
+   gives a valid pointer); release with murk_free. */
+void *murk_alloc(size_t count, size_t size);
+void murk_free(void *memory);
+
+/* Seconds of a monotonic clock. */
+double murk_seconds(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

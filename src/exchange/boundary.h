@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Where the lines of a lattice come from and go to: sky and ground. */
+#ifndef MURK_EXCHANGE_BOUNDARY_H
+#define MURK_EXCHANGE_BOUNDARY_H
+
+#include "ground.h"
+#include "lattice.h"
+
+/* What the lines bring along, as pi times radiance [W/m^2]. */
+typedef struct murk_incoming {
+    const float *patch; /* radiosity of each patch, NULL: 0 */
+    double sky, horizon;
+    bool uniform;       /* a beam: every line brings `sky`, wherever it comes from */
+} murk_incoming;
+
+/*
+ * The lines of one lattice against the ground. Each line stands for a beam whose footprint on the
+ * ground is a parallelogram; it is sampled at samples[0] x samples[1] points, so that footprints
+ * tile the ground and emission and deposit use the same weights (reciprocity).
+ */
+typedef struct murk_boundary {
+    const murk_ground *ground;
+    int heading; /* of the lines: -1 down to the ground, +1 up from it, 0 they never meet it */
+    double hit[2], per_u[2], per_v[2]; /* footprint centre of line r: hit + r_u per_u + r_v per_v */
+    int samples[2];
+    double span; /* of a footprint in units of per_u and per_v */
+} murk_boundary;
+
+void murk_boundary_lay(murk_boundary *boundary, const murk_grid *grid, const murk_ground *ground,
+                       const murk_lattice *lattice);
+
+/* Sets the state of all lines of a plane (rows of `stride` along u) to what they bring along. */
+void murk_boundary_enter(const murk_boundary *boundary, const murk_lattice *lattice,
+                         const murk_incoming *incoming, float *plane, ptrdiff_t stride);
+
+/* Adds power_per_line * (I_out - I_in) of each line that ends on the ground to its patches [W], and
+   returns the sum over all lines of power_per_line * (I_in - I_out). */
+double murk_boundary_leave(const murk_boundary *boundary, const murk_lattice *lattice,
+                           const murk_incoming *incoming, const float *plane, ptrdiff_t stride,
+                           double power_per_line, double *patch_power);
+
+#endif

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Seen from a point of the zone, cos(theta) dA / r^2 of [BG91] eq. (4) is the patch's solid angle,
+ * which has a closed form; only the attenuation is left to sample, and nothing is singular. The
+ * zone is halved where the patch is close to it, the patch where it fills much of the view.
+ */
+#include "factor_patch.h"
+
+#include <math.h>
+
+typedef struct view {
+    const murk_sight *sight;
+    double lo[3], hi[3]; /* the zone */
+    double kappa;
+    double a[2], b[2]; /* the patch */
+    double fine;       /* zone parts of this size are not halved any more */
+} view;
+
+/* Solid angle of [0, x] x [0, y] at height h below the eye, with the signs of x and y. */
+static double corner_angle(double x, double y, double h)
+{
+    return atan(x * y / (h * sqrt(x * x + y * y + h * h)));
+}
+
+static double solid_angle(const double x[2], const double y[2], double h)
+{
+    return corner_angle(x[1], y[1], h) - corner_angle(x[0], y[1], h) -
+           corner_angle(x[1], y[0], h) + corner_angle(x[0], y[0], h);
+}
+
+/* Ends of `count` parts of [x0, x1] that look equally wide from a distance. */
+static void cut(const double x[2], double distance, int count, double *end)
+{
+    double first = atan(x[0] / distance), last = atan(x[1] / distance);
+    for (int i = 1; i < count; i++)
+        end[i] = distance * tan(first + (last - first) * i / count);
+    end[0] = x[0];
+    end[count] = x[1];
+}
+
+static double nearest(const double x[2])
+{
+    return x[0] > 0 ? x[0] : x[1] < 0 ? -x[1] : 0;
+}
+
+/* Share of the zone's light that reaches the point (x, y) of the ground beside the eye at p. */
+static double transmitted(const view *v, const double p[3], double x, double y, double h)
+{
+    const murk_sight *sight = v->sight;
+    double r = sqrt(x * x + y * y + h * h), d[3], t[2];
+    for (int a = 0; a < 3; a++)
+        d[a] = (sight->a[a] * x + sight->b[a] * y - sight->up[a] * h) / r;
+    if (!murk_box_chord(v->lo, v->hi, p, d, t))
+        return 0;
+    double exit = fmin(t[1], r); /* the ground may cut the zone */
+    return murk_chord_escape(v->kappa * (exit - t[0])) *
+           exp(-murk_sight_depth(sight, p, d, exit, r));
+}
+
+static double from_point(const view *v, const double p[3])
+{
+    double at[3];
+    murk_sight_project(v->sight, p, at);
+    double h = at[2];
+    if (h <= 0)
+        return 0;
+    const double x[2] = {v->a[0] - at[0], v->a[1] - at[0]};
+    const double y[2] = {v->b[0] - at[1], v->b[1] - at[1]};
+    double near_x = nearest(x), near_y = nearest(y);
+    double distance = sqrt(h * h + near_x * near_x + near_y * near_y);
+    double wide = fmax(x[1] - x[0], y[1] - y[0]) / distance;
+    int count = wide > 1 ? 4 : wide > 0.3 ? 2 : 1;
+    double end_x[5], end_y[5], sum = 0;
+    cut(x, sqrt(h * h + near_y * near_y), count, end_x);
+    cut(y, sqrt(h * h + near_x * near_x), count, end_y);
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < count; j++) {
+            double middle_x = (end_x[i] + end_x[i + 1]) / 2, middle_y = (end_y[j] + end_y[j + 1]) / 2;
+            sum += solid_angle(end_x + i, end_y + j, h) * transmitted(v, p, middle_x, middle_y, h);
+        }
+    return sum;
+}
+
+static double from_part(const view *v, const double lo[3], const double hi[3])
+{
+    double middle[3], at[3], edge = 0;
+    int longest = 0;
+    for (int a = 0; a < 3; a++) {
+        middle[a] = (lo[a] + hi[a]) / 2;
+        if (hi[a] - lo[a] > edge) {
+            edge = hi[a] - lo[a];
+            longest = a;
+        }
+    }
+    murk_sight_project(v->sight, middle, at);
+    double gap[3] = {fmax(0, fmax(v->a[0] - at[0], at[0] - v->a[1])),
+                     fmax(0, fmax(v->b[0] - at[1], at[1] - v->b[1])), at[2]};
+    double distance = sqrt(gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2]);
+    if (edge > 0.6 * distance && edge > v->fine) {
+        double low_hi[3] = {hi[0], hi[1], hi[2]}, high_lo[3] = {lo[0], lo[1], lo[2]};
+        low_hi[longest] = high_lo[longest] = middle[longest];
+        return from_part(v, lo, low_hi) + from_part(v, high_lo, hi);
+    }
+    double volume = (hi[0] - lo[0]) * (hi[1] - lo[1]) * (hi[2] - lo[2]);
+    if (edge < 0.2 * distance)
+        return volume * from_point(v, middle);
+    double sum = 0;
+    for (int i = 0; i < 8; i++) { /* Gauss points, two an axis */
+        double p[3];
+        for (int a = 0; a < 3; a++)
+            p[a] = middle[a] + (i >> a & 1 ? 0.5 : -0.5) * (hi[a] - lo[a]) / sqrt(3);
+        sum += from_point(v, p);
+    }
+    return volume / 8 * sum;
+}
+
+double murk_patch_factor(const murk_sight *sight, const int32_t cell[3], double kappa, size_t patch)
+{
+    const murk_ground *ground = sight->ground;
+    size_t ia = patch % (size_t)ground->count[0], ib = patch / (size_t)ground->count[0];
+    view v = {.sight = sight,
+              .kappa = kappa,
+              .a = {ground->edge[0][ia], ground->edge[0][ia + 1]},
+              .b = {ground->edge[1][ib], ground->edge[1][ib + 1]}};
+    double least = fmin(v.a[1] - v.a[0], v.b[1] - v.b[0]);
+    for (int a = 0; a < 3; a++) {
+        v.lo[a] = cell[a] * sight->grid->voxel[a];
+        v.hi[a] = (cell[a] + 1) * sight->grid->voxel[a];
+        least = fmin(least, sight->grid->voxel[a]);
+    }
+    v.fine = 0.3 * least;
+    return kappa / M_PI * from_part(&v, v.lo, v.hi);
+}

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "lattice.h"
+
+#include <math.h>
+
+int murk_lattice_axis(const murk_grid *grid, const double direction[3])
+{
+    int axis = 0;
+    for (int a = 1; a < 3; a++)
+        if (fabs(direction[a]) / grid->voxel[a] > fabs(direction[axis]) / grid->voxel[axis])
+            axis = a;
+    return axis;
+}
+
+int murk_lattice_signs(const double direction[3])
+{
+    return (direction[0] > 0) | (direction[1] > 0) << 1 | (direction[2] > 0) << 2;
+}
+
+static int32_t aligned_lo(const murk_grid *grid, int a)
+{
+    return (grid->lo[a] & ~7) - grid->lo[a];
+}
+
+static int32_t aligned_hi(const murk_grid *grid, int a)
+{
+    return ((grid->hi[a] + 7) & ~7) - grid->lo[a];
+}
+
+int32_t murk_lattice_layers(const murk_grid *grid)
+{
+    int32_t most = 0;
+    for (int a = 0; a < 3; a++) {
+        int32_t layers = aligned_hi(grid, a) - aligned_lo(grid, a);
+        most = layers > most ? layers : most;
+    }
+    return most;
+}
+
+/* Where in the layer (0 at entry, 1 at exit) the line crosses the face between two cells: beyond 1
+   when it does not. `from` is the position in the entry cell, `change` its change to the exit. */
+static double crossing(double from, double change)
+{
+    if (change > 0)
+        return (1 - from) / change;
+    if (change < 0)
+        return from / -change;
+    return 2;
+}
+
+static void lay_layer(murk_layer *layer, const double entry[2], const double change[2],
+                      double length)
+{
+    double at[2];
+    int step[2];
+    for (int c = 0; c < 2; c++) {
+        double cell = floor(entry[c]);
+        layer->shift[c] = (int32_t)cell;
+        at[c] = crossing(entry[c] - cell, change[c]);
+        step[c] = change[c] > 0 ? 1 : -1;
+    }
+    double t = 0;
+    int d[2] = {0, 0};
+    layer->count = 0;
+    for (;;) {
+        int c = at[0] <= at[1] ? 0 : 1;
+        double next = at[c] < 1 ? at[c] : 1;
+        if (next > t) {
+            layer->segment[layer->count++] = (murk_segment){
+                .du = d[0], .dv = d[1], .length = (float)((next - t) * length),
+                .fraction = (float)(next - t)};
+            t = next;
+        }
+        if (!(at[c] < 1))
+            return;
+        d[c] = step[c];
+        at[c] = 2; /* |slope| <= 1: a layer holds one crossing an axis */
+    }
+}
+
+void murk_lattice_lay(murk_lattice *lattice, const murk_grid *grid, const murk_line *line,
+                      murk_layer *layer)
+{
+    int axis = murk_lattice_axis(grid, line->direction);
+    lattice->axis = axis;
+    lattice->u = axis == 2 ? 1 : 2;
+    lattice->v = axis == 0 ? 1 : 0;
+    lattice->sign = line->direction[axis] > 0 ? 1 : -1;
+    lattice->span = line->span;
+    lattice->weight = line->weight;
+    lattice->middle = ((double)grid->hi[axis] - grid->lo[axis]) / 2;
+    double along = fabs(line->direction[axis]) / grid->voxel[axis]; /* layers per metre */
+    double length = 1 / along;
+    lattice->area = grid->volume / length;
+    const int axes[2] = {lattice->u, lattice->v};
+    for (int a = 0; a < 3; a++)
+        lattice->direction[a] = line->direction[a];
+    for (int c = 0; c < 2; c++) {
+        lattice->offset[c] = line->offset[c];
+        lattice->slope[c] = line->direction[axes[c]] / grid->voxel[axes[c]] /
+                            (line->direction[axis] / grid->voxel[axis]);
+    }
+    lattice->first_layer = aligned_lo(grid, axis);
+    lattice->layers = aligned_hi(grid, axis) - lattice->first_layer;
+    lattice->layer = layer;
+
+    int32_t most[2] = {INT32_MIN, INT32_MIN}, least[2] = {INT32_MAX, INT32_MAX};
+    for (int32_t k = 0; k < lattice->layers; k++) {
+        double c_in = lattice->first_layer + k + (lattice->sign < 0);
+        double entry[2], change[2];
+        for (int c = 0; c < 2; c++) {
+            entry[c] = lattice->offset[c] + lattice->slope[c] * (c_in - lattice->middle);
+            change[c] = lattice->slope[c] * lattice->sign;
+        }
+        lay_layer(&layer[k], entry, change, length);
+        for (int c = 0; c < 2; c++) {
+            int d = change[c] > 0 ? 1 : change[c] < 0 ? -1 : 0;
+            int32_t low = layer[k].shift[c] + (d < 0 ? d : 0);
+            int32_t high = layer[k].shift[c] + (d > 0 ? d : 0);
+            least[c] = low < least[c] ? low : least[c];
+            most[c] = high > most[c] ? high : most[c];
+        }
+    }
+    for (int c = 0; c < 2; c++) {
+        lattice->ray_lo[c] = aligned_lo(grid, axes[c]) - most[c];
+        lattice->ray_hi[c] = aligned_hi(grid, axes[c]) - least[c];
+    }
+}

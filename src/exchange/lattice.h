@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* A lattice of parallel lines aligned with the voxel lattice. */
+#ifndef MURK_EXCHANGE_LATTICE_H
+#define MURK_EXCHANGE_LATTICE_H
+
+#include "grid.h"
+
+/* What to trace: one line through every voxel face across the direction's dominant axis. */
+typedef struct murk_line {
+    double direction[3]; /* unit vector of travel, grid frame */
+    double offset[2];    /* where in the face the line passes, [0, 1), at the middle of the grid */
+    double span;         /* edge of the part of the face that the line stands for: 1, 1/2, ... */
+    double weight;       /* of its direction, as a fraction of the sphere, shared by its lines */
+} murk_line;
+
+/* A piece of every line inside one layer of voxels. A line that enters the layer at voxel (u, v)
+   is in voxel (u + du, v + dv) for the length given. */
+typedef struct murk_segment {
+    int du, dv;
+    float length;   /* m */
+    float fraction; /* of the line's length within the layer; these sum to 1 */
+} murk_segment;
+
+/* One layer of voxels: all lines cross it in the same pattern of at most three segments. Line r
+   enters it at the voxel r + shift. Segments are in order of travel. */
+typedef struct murk_layer {
+    int32_t shift[2];
+    int count;
+    murk_segment segment[3];
+} murk_layer;
+
+/*
+ * In cells relative to grid->lo, with c the coordinate on the dominant axis and m the middle of
+ * the grid, line r is at r + offset + slope * (c - m) on the axes u and v. One line a face, so each
+ * voxel is crossed by lines of the total length that its volume demands: sum of length * area = V.
+ */
+typedef struct murk_lattice {
+    int axis, u, v;     /* dominant axis; u < v in memory order: v runs over rows, u along them */
+    int sign;           /* of travel along axis */
+    double direction[3];
+    double offset[2], slope[2], middle; /* [0] along u, [1] along v */
+    double span, weight;
+    double area;        /* perpendicular cross-section of a whole face [m^2] */
+    int32_t first_layer; /* cell coordinate of layer[0], brick-aligned */
+    int32_t layers;
+    murk_layer *layer;
+    int32_t ray_lo[2], ray_hi[2]; /* numbers of the lines that meet the bricks; hi exclusive */
+} murk_lattice;
+
+/* Dominant axis of a direction in voxels, and the signs of travel packed in bits 0..2 for x, y, z:
+   lines that agree in both can be traced side by side. */
+int murk_lattice_axis(const murk_grid *grid, const double direction[3]);
+int murk_lattice_signs(const double direction[3]);
+
+/* Lays out one line; layer needs room for murk_lattice_layers(). */
+void murk_lattice_lay(murk_lattice *lattice, const murk_grid *grid, const murk_line *line,
+                      murk_layer *layer);
+/* The most layers a grid has along any axis. */
+int32_t murk_lattice_layers(const murk_grid *grid);
+
+#endif

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "lines.h"
+
+#include "quadrature.h"
+
+#include <math.h>
+
+struct murk_lines {
+    murk_sweep *sweep;
+    const murk_ground *ground;
+    int directions;
+    double *patch_power;
+    double flux; /* what makes the half-range flux onto the ground exact: 1/4 over its quadrature */
+};
+
+/* Lines pass alternate orbits through the middles and the corners of the faces: both choices are
+   symmetric under reversal, and together they sample the voxels more evenly than one. */
+static void set_lines(const murk_quadrature *quadrature, int rays, murk_line *line)
+{
+    for (int d = 0; d < quadrature->count; d++)
+        for (int i = 0; i < rays * rays; i++, line++) {
+            double start = d / MURK_ORBIT % 2 ? 0.0 : 0.5;
+            for (int c = 0; c < 3; c++)
+                line->direction[c] = quadrature->direction[d][c];
+            line->offset[0] = (i % rays + start) / rays;
+            line->offset[1] = (i / rays + start) / rays;
+            line->span = 1.0 / rays;
+            line->weight = quadrature->weight[d] / (rays * rays);
+        }
+}
+
+/* Ratio of the exact mean of |cos| over the sphere, 1/2, to the quadrature's: 1 where the ground
+   lies along the lattice, close to it where the grid is turned. */
+static double flux_ratio(const murk_grid *grid, const murk_ground *ground,
+                         const murk_quadrature *quadrature)
+{
+    double sum = 0;
+    for (int d = 0; d < quadrature->count; d++) {
+        double world[3];
+        murk_grid_direction_to_world(grid, quadrature->direction[d], world);
+        sum += quadrature->weight[d] * fabs(world[murk_ground_axis_up(ground)]);
+    }
+    return 0.5 / sum;
+}
+
+murk_status murk_lines_create(murk_context *context, const murk_grid *grid, const float *kappa_t,
+                              const murk_ground *ground, int directions, int rays,
+                              murk_lines **out)
+{
+    murk_quadrature quadrature;
+    int orbits = (directions + MURK_ORBIT - 1) / MURK_ORBIT;
+    murk_status status = murk_quadrature_create(context, orbits, &quadrature);
+    if (status)
+        return status;
+    murk_lines *lines = murk_alloc(1, sizeof *lines);
+    murk_line *line = murk_alloc((size_t)quadrature.count * (size_t)(rays * rays), sizeof *line);
+    if (lines && ground)
+        lines->patch_power = murk_alloc(ground->patch_count, sizeof(double));
+    if (!lines || !line || (ground && !lines->patch_power)) {
+        status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %d directions",
+                           quadrature.count);
+    } else {
+        set_lines(&quadrature, rays, line);
+        lines->ground = ground;
+        lines->directions = quadrature.count;
+        lines->flux = ground ? flux_ratio(grid, ground, &quadrature) : 1;
+        status = murk_sweep_create(context, grid, kappa_t, ground, line,
+                                   quadrature.count * rays * rays, &lines->sweep);
+    }
+    murk_free(line);
+    murk_quadrature_clear(&quadrature);
+    if (status)
+        murk_lines_release(lines);
+    else
+        *out = lines;
+    return status;
+}
+
+void murk_lines_release(murk_lines *lines)
+{
+    if (!lines)
+        return;
+    murk_sweep_release(lines->sweep);
+    murk_free(lines->patch_power);
+    murk_free(lines);
+}
+
+int murk_lines_directions(const murk_lines *lines)
+{
+    return lines->directions;
+}
+
+const char *murk_lines_kernel(const murk_lines *lines)
+{
+    return murk_sweep_kernel(lines->sweep);
+}
+
+murk_status murk_lines_apply(murk_context *context, murk_lines *lines, const murk_radiosity *in,
+                             murk_incident *out)
+{
+    const murk_incoming incoming = {.patch = in->patch, .sky = in->sky, .horizon = in->horizon};
+    murk_status status =
+        murk_sweep_run(context, lines->sweep, in->zone, &incoming, 4, out->zone,
+                       out->patch ? lines->patch_power : NULL, &out->net_power);
+    if (status || !out->patch || !lines->ground)
+        return status;
+    for (size_t i = 0; i < lines->ground->patch_count; i++)
+        out->patch[i] = (float)(in->sky + lines->flux * lines->patch_power[i] /
+                                              murk_ground_area(lines->ground, i));
+    return MURK_OK;
+}
+
+static murk_status lines_init(murk_context *context, const murk_medium *medium,
+                              const murk_ground *ground, const murk_solve_options *options,
+                              void **state)
+{
+    murk_lines *lines;
+    murk_status status =
+        murk_lines_create(context, medium->grid, medium->kappa_t, ground,
+                          options->directions > 0 ? options->directions : MURK_ORBIT,
+                          options->rays > 0 ? options->rays : 1, &lines);
+    if (!status)
+        *state = lines;
+    return status;
+}
+
+static murk_status lines_apply(murk_context *context, void *state, const murk_radiosity *in,
+                               murk_incident *out)
+{
+    return murk_lines_apply(context, state, in, out);
+}
+
+static void lines_release(void *state)
+{
+    murk_lines_release(state);
+}
+
+const murk_exchange_method murk_exchange_lines = {
+    .name = "lines", .init = lines_init, .apply = lines_apply, .row = NULL, .release = lines_release};

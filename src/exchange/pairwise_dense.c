@@ -1,0 +1,261 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* All exchange factors of any medium, zone by zone. */
+#include "factor_far.h"
+#include "factor_near.h"
+#include "factor_offset.h"
+#include "factor_patch.h"
+#include "pairwise_state.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+
+/* Distances in units of the longest zone edge. */
+static const double NEAR = 3;  /* up to here factors come from the lines through each zone */
+static const double EXACT = 8; /* up to here the integral of 1/r^2 is exact */
+enum { BASE_LINES = 256 };
+
+/* The integral of 1/(pi r^2) over two zones by offset [m^4]. */
+typedef struct geometry {
+    const double *size;
+    int reach[3];
+    double *table;
+} geometry;
+
+static double longest_edge(const double size[3])
+{
+    return fmax(size[0], fmax(size[1], size[2]));
+}
+
+static void set_reach(const murk_grid *grid, double distance, int reach[3])
+{
+    for (int a = 0; a < 3; a++) {
+        double cells = floor(distance * longest_edge(grid->voxel) / grid->voxel[a] + 1e-6);
+        reach[a] = (int)fmin(cells, (double)grid->hi[a] - grid->lo[a] - 1);
+    }
+}
+
+static bool geometry_create(geometry *g, const murk_grid *grid, int threads)
+{
+    g->size = grid->voxel;
+    set_reach(grid, EXACT, g->reach);
+    const int n[3] = {g->reach[0] + 1, g->reach[1] + 1, g->reach[2] + 1};
+    g->table = murk_alloc((size_t)n[0] * (size_t)n[1] * (size_t)n[2], sizeof(double));
+    if (!g->table)
+        return false;
+#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
+    for (int i = 0; i < n[0] * n[1] * n[2]; i++) {
+        const int offset[3] = {i / (n[1] * n[2]), i / n[2] % n[1], i % n[2]};
+        g->table[i] = murk_factor_offset_zone(g->size, offset, 0);
+    }
+    return true;
+}
+
+static double geometry_factor(const geometry *g, const int offset[3])
+{
+    size_t index = 0;
+    bool inside = true;
+    double distance[3];
+    for (int a = 0; a < 3; a++) {
+        int d = abs(offset[a]);
+        inside = inside && d <= g->reach[a];
+        index = index * ((size_t)g->reach[a] + 1) + (size_t)d;
+        distance[a] = d * g->size[a];
+    }
+    return inside ? g->table[index] : murk_far_geometry(g->size, distance);
+}
+
+static bool is_near(const double size[3], const int offset[3])
+{
+    double r2 = 0, limit = NEAR * longest_edge(size) * (1 + 1e-6);
+    for (int a = 0; a < 3; a++)
+        r2 += offset[a] * size[a] * offset[a] * size[a];
+    return r2 <= limit * limit;
+}
+
+static double pair_weight(const murk_pairwise *p, const int offset[3])
+{
+    double weight = 1;
+    for (int a = 0; a < 3; a++)
+        weight *= murk_window_weight(p, a, offset[a]);
+    return weight;
+}
+
+static void pair_offset(const murk_pairwise *p, size_t m, size_t k, int offset[3])
+{
+    for (int a = 0; a < 3; a++)
+        offset[a] = p->cell[k][a] - p->cell[m][a];
+}
+
+static double kappa_of(const murk_pairwise *p, size_t zone)
+{
+    return p->sight.kappa_t[p->slot[zone]];
+}
+
+/* Row m as the lines through zone m have it: near factors (-1 where no line met the neighbour),
+   self-factor, and what leaves the medium without meeting a patch. */
+static void near_row(murk_pairwise *p, const geometry *g, const murk_lines_through *lines, size_t m,
+                     murk_near *near, double *up, double *down)
+{
+    double kappa = kappa_of(p, m), volume = p->sight.grid->volume;
+    int offset[3] = {0, 0, 0};
+    float *row = p->matrix + m * p->zones;
+    murk_near_trace(&p->sight, lines, p->cell[m], kappa, near);
+    double thin = kappa * kappa * geometry_factor(g, offset);
+    p->self[m] = near->chord > 0 ? thin * near->self / near->chord : thin;
+    *up = 4 * kappa * volume * near->up;
+    *down = 4 * kappa * volume * near->down;
+    for (size_t k = 0; k < p->zones; k++) {
+        pair_offset(p, m, k, offset);
+        if (k == m || !is_near(g->size, offset))
+            continue;
+        size_t index = 0;
+        for (int a = 0; a < 3; a++)
+            index = index * (size_t)(2 * near->reach[a] + 1) + (size_t)(offset[a] + near->reach[a]);
+        row[k] = near->length[index] > 0
+                     ? (float)(kappa * kappa_of(p, k) * geometry_factor(g, offset) *
+                               near->caught[index] / near->length[index])
+                     : -1;
+    }
+}
+
+/* The rest of row m up to the diagonal, and the same column. */
+static void finish_row(murk_pairwise *p, const geometry *g, size_t m)
+{
+    for (size_t k = 0; k < m; k++) {
+        int offset[3];
+        pair_offset(p, m, k, offset);
+        double weight = pair_weight(p, offset), factor = 0;
+        float *one = p->matrix + m * p->zones + k, *other = p->matrix + k * p->zones + m;
+        if (weight > 0 && is_near(g->size, offset) && *one >= 0 && *other >= 0)
+            factor = ((double)*one + (double)*other) / 2;
+        else if (weight > 0)
+            factor = kappa_of(p, m) * kappa_of(p, k) * geometry_factor(g, offset) *
+                     murk_far_attenuation(&p->sight, p->cell[m], p->cell[k], kappa_of(p, m),
+                                          kappa_of(p, k));
+        *one = *other = (float)(weight * factor);
+    }
+}
+
+/* Sum of row k over all zones and patches with the scales d of zones, and what leaves. */
+static double row_sum(const murk_pairwise *p, size_t k, const double *d, double escape)
+{
+    double sum = p->self[k] * d[k] + escape;
+    const float *row = p->matrix + k * p->zones, *patch = p->other_matrix + k * p->other_count;
+    for (size_t j = 0; j < p->zones; j++)
+        sum += row[j] * d[j];
+    for (size_t i = 0; i < p->other_count; i++)
+        sum += patch[i];
+    return d[k] * sum;
+}
+
+/*
+ * Scales zones by factors close to 1 so that every row comes to 4 kappa V. Each factor carries an
+ * error of its own quadrature (of order 1e-3); unless rows close, conservative thick media would
+ * gain or lose that much at every scattering. Symmetric, so reciprocity stays.
+ */
+static bool close_rows(murk_pairwise *p, double *up, double *down)
+{
+    double *d = murk_alloc(p->zones, sizeof *d), *sum = murk_alloc(p->zones, sizeof *sum);
+    if (!d || !sum) {
+        murk_free(d);
+        murk_free(sum);
+        return false;
+    }
+    for (size_t k = 0; k < p->zones; k++)
+        d[k] = 1;
+    for (int pass = 0; pass < 16; pass++) {
+#pragma omp parallel for num_threads(p->threads)
+        for (size_t k = 0; k < p->zones; k++)
+            sum[k] = row_sum(p, k, d, up[k] + down[k]);
+        for (size_t k = 0; k < p->zones; k++)
+            d[k] *= sqrt(p->weight[k] / sum[k]);
+    }
+#pragma omp parallel for num_threads(p->threads)
+    for (size_t k = 0; k < p->zones; k++) {
+        for (size_t j = 0; j < p->zones; j++) {
+            /* The same product in the same order on both sides of the diagonal. */
+            double scale = j < k ? d[j] * d[k] : d[k] * d[j];
+            p->matrix[k * p->zones + j] = (float)(scale * p->matrix[k * p->zones + j]);
+        }
+        for (size_t i = 0; i < p->other_count; i++)
+            p->other_matrix[k * p->other_count + i] *= (float)d[k];
+        p->self[k] *= d[k] * d[k];
+        up[k] *= d[k];
+        down[k] *= d[k];
+        d[k] = 1; /* what rounding left over goes where there is most */
+    }
+    for (size_t k = 0; k < p->zones; k++) {
+        double rest = p->weight[k] - row_sum(p, k, d, up[k] + down[k]);
+        double *largest = up[k] > down[k] ? up + k : down + k;
+        *(*largest > p->self[k] ? largest : p->self + k) += rest;
+    }
+    murk_free(d);
+    murk_free(sum);
+    return true;
+}
+
+static bool fill(murk_context *context, murk_pairwise *p, const geometry *g,
+                 const murk_lines_through *lines, double *up, double *down)
+{
+    bool complete = true;
+    size_t done = 0;
+#pragma omp parallel num_threads(p->threads)
+    {
+        murk_near near;
+        set_reach(p->sight.grid, NEAR, near.reach);
+        near.length = murk_alloc(murk_near_count(near.reach), sizeof(double));
+        near.caught = murk_alloc(murk_near_count(near.reach), sizeof(double));
+        if (!near.length || !near.caught)
+#pragma omp atomic write
+            complete = false;
+#pragma omp barrier
+        bool go;
+#pragma omp atomic read
+        go = complete;
+        if (go) {
+#pragma omp for schedule(dynamic, 4)
+            for (size_t m = 0; m < p->zones; m++)
+                near_row(p, g, lines, m, &near, up + m, down + m);
+#pragma omp for schedule(dynamic, 4)
+            for (size_t m = 0; m < p->zones; m++) {
+                finish_row(p, g, m);
+                size_t now;
+#pragma omp atomic capture
+                now = ++done;
+                if (omp_get_thread_num() == 0)
+                    murk_progress(context, "factors",
+                                  (double)now * (double)now / ((double)p->zones * (double)p->zones));
+            }
+        }
+        murk_free(near.length);
+        murk_free(near.caught);
+    }
+    return complete;
+}
+
+murk_status murk_pairwise_dense(murk_context *context, murk_pairwise *p)
+{
+    geometry g = {0};
+    murk_lines_through lines = {0};
+    double *down = murk_alloc(p->zones, sizeof *down);
+    p->matrix = murk_alloc(p->zones * p->zones, sizeof *p->matrix);
+    p->self = murk_alloc(p->zones, sizeof *p->self);
+    murk_status status = MURK_OK;
+    if (down && p->matrix && p->self && geometry_create(&g, p->sight.grid, p->threads))
+        status = murk_lines_through_create(context, BASE_LINES, &lines);
+    else
+        status = murk_fail(context, MURK_ERROR_MEMORY, "pairwise: out of memory for %zu zones",
+                           p->zones);
+    if (!status && (!fill(context, p, &g, &lines, p->sky, down) ||
+                    (!p->windowed && !close_rows(p, p->sky, down))))
+        status = murk_fail(context, MURK_ERROR_MEMORY, "pairwise: out of memory for %zu zones",
+                           p->zones);
+    if (!status && p->sight.ground && p->sight.ground->horizon)
+        for (size_t k = 0; k < p->zones; k++)
+            p->horizon[k] = down[k];
+    murk_lines_through_clear(&lines);
+    murk_free(g.table);
+    murk_free(down);
+    return status;
+}

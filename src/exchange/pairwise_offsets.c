@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Factors by offset: in a uniform medium they depend on the relative position alone ([BG91] section
+ * 5), so one table of as many factors as there are zones is enough.
+ */
+#include "factor_near.h"
+#include "factor_offset.h"
+#include "pairwise_state.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BASE_LINES = 64 };
+
+static size_t stride(const murk_offsets *o)
+{
+    return 2 * (size_t)o->n[2] - 1;
+}
+
+static size_t table_count(const murk_offsets *o)
+{
+    return (size_t)o->n[0] * (size_t)o->n[1] * stride(o);
+}
+
+void murk_offsets_clear(murk_offsets *offsets)
+{
+    murk_free(offsets->number);
+    murk_free(offsets->zone);
+    murk_free(offsets->patch);
+    murk_free(offsets->aligned);
+    murk_free(offsets->cell);
+    murk_free(offsets->patch_at);
+    *offsets = (murk_offsets){0};
+}
+
+/* The frame axis that a unit vector lies along, or -1. */
+static int lattice_axis(const double v[3])
+{
+    for (int a = 0; a < 3; a++)
+        if (fabs(v[a]) > 1 - 1e-12)
+            return a;
+    return -1;
+}
+
+/* The lattice column that [e0, e1] on a ground axis is, or -1. */
+static int32_t lattice_column(const murk_sight *s, const double v[3], double origin, int axis,
+                              const double edge[2])
+{
+    double size = s->grid->voxel[axis];
+    double f0 = (edge[0] - origin) * v[axis], f1 = (edge[1] - origin) * v[axis];
+    double column = rint(fmin(f0, f1) / size);
+    if (fabs(fmin(f0, f1) / size - column) > 1e-5 || fabs(fmax(f0, f1) / size - column - 1) > 1e-5)
+        return -1;
+    return column >= 0 && (column + 1) * size < s->box[axis] * (1 + 1e-9) ? (int32_t)column : -1;
+}
+
+/* Parts the patches into those by offset and the others; *gap is the height of the medium. */
+static void sort_patches(murk_pairwise *p, double *gap)
+{
+    murk_offsets *o = &p->offsets;
+    const murk_sight *s = &p->sight;
+    const murk_ground *ground = s->ground;
+    int axis_a = lattice_axis(s->a), axis_b = lattice_axis(s->b), up = lattice_axis(s->up);
+    bool possible = axis_a >= 0 && axis_b >= 0 && up >= 0;
+    *gap = 0;
+    if (possible) {
+        *gap = s->origin[2] + fmin(0, s->up[up] * s->box[up]);
+        double tiny = 1e-5 * s->grid->voxel[up];
+        possible = *gap > -tiny;
+        *gap = *gap < tiny ? 0 : *gap;
+        o->up = up;
+    }
+    for (size_t i = 0; i < p->patches; i++) {
+        size_t ia = i % (size_t)ground->count[0], ib = i / (size_t)ground->count[0];
+        int32_t ca = possible ? lattice_column(s, s->a, s->origin[0], axis_a, ground->edge[0] + ia)
+                              : -1;
+        int32_t cb = possible ? lattice_column(s, s->b, s->origin[1], axis_b, ground->edge[1] + ib)
+                              : -1;
+        if (ca < 0 || cb < 0) {
+            p->other[p->other_count++] = i;
+            continue;
+        }
+        int32_t *cell = o->cell[o->aligned_count];
+        cell[axis_a] = ca;
+        cell[axis_b] = cb;
+        cell[up] = 0;
+        o->aligned[o->aligned_count++] = i;
+        const int32_t m[3] = {up == 0 ? 1 : o->n[0], up == 1 ? 1 : o->n[1], up == 2 ? 1 : o->n[2]};
+        o->patch_at[((size_t)cell[0] * (size_t)m[1] + (size_t)cell[1]) * (size_t)m[2] +
+                    (size_t)cell[2]] = (int64_t)i;
+    }
+    if (!o->aligned_count)
+        o->up = -1;
+}
+
+static void fill_zone_table(murk_pairwise *p)
+{
+    murk_offsets *o = &p->offsets;
+    double kappa = p->sight.kappa_uniform;
+    int32_t n1 = o->n[1], n2 = o->n[2];
+#pragma omp parallel for schedule(dynamic, 64) num_threads(p->threads)
+    for (int32_t i = 0; i < o->n[0] * n1 * n2; i++) {
+        const int offset[3] = {i / (n1 * n2), i / n2 % n1, i % n2};
+        double *row = o->zone + (size_t)(i / n2) * stride(o) + (n2 - 1);
+        row[offset[2]] = row[-offset[2]] =
+            kappa * kappa * murk_factor_offset_zone(p->sight.grid->voxel, offset, kappa);
+    }
+}
+
+static void fill_patch_table(murk_pairwise *p, double gap)
+{
+    murk_offsets *o = &p->offsets;
+    const double *voxel = p->sight.grid->voxel;
+    double kappa = p->sight.kappa_uniform;
+    int up = o->up, a = (up + 1) % 3, b = (up + 2) % 3;
+    bool turned = p->sight.up[up] < 0;
+    const double size[3] = {voxel[a], voxel[b], voxel[up]};
+#pragma omp parallel for schedule(dynamic, 64) num_threads(p->threads)
+    for (int32_t i = 0; i < o->n[0] * o->n[1] * o->n[2]; i++) {
+        const int at[3] = {i / (o->n[1] * o->n[2]), i / o->n[2] % o->n[1], i % o->n[2]};
+        const int offset[3] = {at[a], at[b], turned ? o->n[up] - 1 - at[up] : at[up]};
+        double factor = kappa * murk_factor_offset_patch(size, offset, gap, kappa);
+        double *row = o->patch + (size_t)(i / o->n[2]) * stride(o);
+        if (up == 2)
+            row[at[2]] = factor;
+        else
+            row[o->n[2] - 1 + at[2]] = row[o->n[2] - 1 - at[2]] = factor;
+    }
+}
+
+/* Multiplies both tables by the window; zones count at all heights over a patch. */
+static void apply_window(murk_pairwise *p)
+{
+    murk_offsets *o = &p->offsets;
+    for (int a = 0; a < 3; a++)
+        o->reach[a] = (int)fmin(ceil(p->window[a] / 2 + 0.5) - 1, o->n[a] - 1);
+    for (int32_t x = 0; x < o->n[0]; x++)
+        for (int32_t y = 0; y < o->n[1]; y++)
+            for (size_t i = 0; i < stride(o); i++) {
+                const double d[3] = {x, y, (double)i - (o->n[2] - 1)};
+                size_t at = ((size_t)x * (size_t)o->n[1] + (size_t)y) * stride(o) + i;
+                for (int a = 0; a < 3; a++) {
+                    double weight = murk_window_weight(p, a, d[a]);
+                    o->zone[at] *= weight;
+                    if (o->patch && a != o->up)
+                        o->patch[at] *= weight;
+                }
+            }
+}
+
+/* s[x] = sum of t[|x - j|] over j on one axis, in place. */
+static void sum_along(double *line, size_t step, int32_t n, double *work)
+{
+    double sum = 0;
+    for (int32_t i = 0; i < n; i++)
+        work[i] = sum += line[(size_t)i * step];
+    double first = line[0];
+    for (int32_t i = 0; i < n; i++)
+        line[(size_t)i * step] = work[i] + work[n - 1 - i] - first;
+}
+
+/* Row sums of V_mV_k by cell. */
+static bool sum_zone_table(const murk_offsets *o, double *sum)
+{
+    size_t n0 = (size_t)o->n[0], n1 = (size_t)o->n[1], n2 = (size_t)o->n[2];
+    double *work = murk_alloc(n0 + n1 + n2, sizeof *work);
+    if (!work)
+        return false;
+    for (size_t i = 0; i < n0 * n1; i++)
+        memcpy(sum + i * n2, o->zone + i * stride(o) + n2 - 1, n2 * sizeof *sum);
+    for (size_t i = 0; i < n0 * n1; i++)
+        sum_along(sum + i * n2, 1, o->n[2], work);
+    for (size_t x = 0; x < n0; x++)
+        for (size_t z = 0; z < n2; z++)
+            sum_along(sum + x * n1 * n2 + z, n2, o->n[1], work);
+    for (size_t i = 0; i < n1 * n2; i++)
+        sum_along(sum + i, n1 * n2, o->n[0], work);
+    murk_free(work);
+    return true;
+}
+
+/*
+ * What a row lacks to 4 kappa V leaves for sky, horizon or nothing. A sum beyond it is an error of
+ * the quadrature (1e-8 deep in a thick medium, where nothing should be left), and would let light
+ * grow at each scattering; so the factors are scaled down by it.
+ */
+static murk_status set_escape(murk_context *context, murk_pairwise *p)
+{
+    murk_offsets *o = &p->offsets;
+    murk_lines_through lines = {0};
+    double *ones = p->x, *patch_ones = p->px, most = 0;
+    double *sum = murk_alloc(p->zones, sizeof *sum), *zone_sum = p->y;
+    if (!sum || !sum_zone_table(o, sum)) {
+        murk_free(sum);
+        return murk_fail(context, MURK_ERROR_MEMORY, "pairwise: out of memory for row sums");
+    }
+    memset(ones, 0, p->zones * sizeof *ones);
+    for (size_t i = 0; i < p->patches; i++)
+        patch_ones[i] = 1;
+    murk_offsets_patches(p, ones, patch_ones, zone_sum, p->py);
+    for (size_t c = 0; c < p->zones; c++) {
+        zone_sum[o->number[c]] += sum[c];
+        most = fmax(most, zone_sum[o->number[c]] / p->weight[o->number[c]]);
+    }
+    murk_free(sum);
+    double scale = most > 1 ? 1 / most : 1;
+    for (size_t i = 0; i < table_count(o); i++) {
+        o->zone[i] *= scale;
+        if (o->patch)
+            o->patch[i] *= scale;
+    }
+    murk_status status = murk_lines_through_create(context, BASE_LINES, &lines);
+    if (status)
+        return status;
+    bool ground = p->sight.ground, horizon = ground && p->sight.ground->horizon;
+#pragma omp parallel for schedule(dynamic, 64) num_threads(p->threads)
+    for (size_t k = 0; k < p->zones; k++) {
+        double rest = p->weight[k] - zone_sum[k] * scale, others = 0;
+        float *row = p->other_matrix + k * p->other_count;
+        for (size_t i = 0; i < p->other_count; i++)
+            others += row[i];
+        if (others > rest)
+            for (size_t i = 0; i < p->other_count; i++)
+                row[i] *= (float)(fmax(0, rest) / others);
+        rest = fmax(0, rest - others);
+        murk_near near = {0};
+        if (ground && rest > 1e-7 * p->weight[k])
+            murk_near_escape(&p->sight, &lines, p->cell[k], &near);
+        double share = near.up + near.down > 0 ? near.up / (near.up + near.down) : 1;
+        p->sky[k] = rest * share;
+        p->horizon[k] = horizon ? rest * (1 - share) : 0;
+    }
+    murk_lines_through_clear(&lines);
+    return MURK_OK;
+}
+
+murk_status murk_pairwise_offsets(murk_context *context, murk_pairwise *p)
+{
+    murk_offsets *o = &p->offsets;
+    const murk_grid *grid = p->sight.grid;
+    for (int a = 0; a < 3; a++) {
+        o->n[a] = grid->hi[a] - grid->lo[a];
+        o->reach[a] = o->n[a] - 1;
+    }
+    o->z0 = grid->lo[2] & 7;
+    o->up = -1;
+    o->number = murk_alloc(p->zones, sizeof *o->number);
+    o->zone = murk_alloc(table_count(o), sizeof *o->zone);
+    o->aligned = murk_alloc(p->patches, sizeof *o->aligned);
+    o->cell = murk_alloc(p->patches, sizeof *o->cell);
+    o->patch_at = murk_alloc(p->zones, sizeof *o->patch_at);
+    murk_status memory = MURK_ERROR_MEMORY;
+    if (!o->number || !o->zone || !o->aligned || !o->cell || !o->patch_at)
+        return murk_fail(context, memory, "pairwise: out of memory for %zu zones", p->zones);
+    for (size_t k = 0; k < p->zones; k++) {
+        const int32_t *c = p->cell[k];
+        o->number[((size_t)c[0] * (size_t)o->n[1] + (size_t)c[1]) * (size_t)o->n[2] +
+                  (size_t)c[2]] = k;
+        o->patch_at[k] = -1;
+    }
+    double gap;
+    sort_patches(p, &gap);
+    fill_zone_table(p);
+    if (o->up >= 0) {
+        o->patch = murk_alloc(table_count(o), sizeof *o->patch);
+        if (!o->patch)
+            return murk_fail(context, memory, "pairwise: out of memory for %zu zones", p->zones);
+        fill_patch_table(p, gap);
+    }
+    return MURK_OK;
+}

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The image inside the library, and the thin C face of OpenImageIO. */
+#ifndef MURK_IMAGE_IMAGE_H
+#define MURK_IMAGE_IMAGE_H
+
+#include "murk/murk.h"
+
+#ifdef __cplusplus
+#define MURK_IMAGE_NOEXCEPT noexcept
+extern "C" {
+#else
+#define MURK_IMAGE_NOEXCEPT
+#endif
+
+struct murk_image {
+    int width, height, channels;
+    char **names;
+    float *pixels;
+};
+
+/* More values than this in one image are taken for a damaged header. */
+#define MURK_IMAGE_VALUES_MAX ((uint64_t)1 << 31)
+
+/* Channel number by name, or -1. */
+int murk_image_channel(const murk_image *image, const char *name);
+
+/* What a picture for looking at is made of: R, G, B by name; without them Y or else the first
+   channel for all three. Each of width * height pixels gets 3 bytes: 2^exposure times the value,
+   clipped, on the sRGB curve; values that are not finite become 0. */
+void murk_display_encode(const murk_image *image, double exposure, uint8_t *rgb);
+
+/* The exposure in stops that brings the 99th percentile of the luminance, over the pixels that have
+   any, to the display value 0.9; 0 for a black image. Depends on the pixels alone. */
+double murk_display_exposure(const murk_image *image);
+
+/* Pixels as OpenImageIO is to store them. */
+typedef struct murk_oiio_pixels {
+    int width, height, channels;
+    const char *const *names;
+    const float *floats;         /* stored as linear floats, or NULL */
+    const uint8_t *bytes;        /* stored as sRGB bytes where floats is NULL */
+    const char *command, *units; /* metadata; may be NULL */
+} murk_oiio_pixels;
+
+/* Reads the whole display window as linear floats. */
+murk_status murk_oiio_read(murk_context *context, const char *path,
+                           murk_image **out) MURK_IMAGE_NOEXCEPT;
+
+/* Writes the file at path; messages call it shown. */
+murk_status murk_oiio_write(murk_context *context, const char *path, const char *shown,
+                            const murk_oiio_pixels *pixels) MURK_IMAGE_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// The only source that sees OpenImageIO. One guard keeps its exceptions inside.
+#include "context.h"
+#include "image.h"
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+template <typename Body>
+murk_status guard(murk_context *context, const char *path, Body body) noexcept
+{
+    try {
+        return body();
+    } catch (const std::bad_alloc &) {
+        return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
+    } catch (const std::exception &error) {
+        return murk_fail(context, MURK_ERROR_INTERNAL, "%s: %s", path, error.what());
+    } catch (...) {
+        return murk_fail(context, MURK_ERROR_INTERNAL, "%s: unknown exception in OpenImageIO",
+                         path);
+    }
+}
+
+// OpenImageIO's messages may span lines and end with one.
+std::string one_line(std::string text)
+{
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
+        text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text.empty() ? "unknown reason" : text;
+}
+
+float linear_from_srgb(float value)
+{
+    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+}
+
+// Bytes are sRGB where the file does not say. They come unassociated, so that the curve acts on the
+// colour itself.
+void make_linear(const OIIO::ImageSpec &spec, murk_image &image)
+{
+    const char *guess = spec.format == OIIO::TypeUInt8 ? "sRGB" : "Linear";
+    std::string space = spec.get_string_attribute("oiio:ColorSpace", guess);
+    if (space != "sRGB" && space != "Rec709")
+        return;
+    size_t count = size_t(image.width) * image.height;
+    for (size_t p = 0; p < count; p++) {
+        float *pixel = image.pixels + p * image.channels;
+        float alpha = spec.alpha_channel >= 0 ? pixel[spec.alpha_channel] : 1.0f;
+        for (int c = 0; c < image.channels; c++)
+            if (c != spec.alpha_channel)
+                pixel[c] = alpha * linear_from_srgb(pixel[c]);
+    }
+}
+
+murk_status read_image(murk_context *context, const char *path, murk_image **out)
+{
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::ImageBuf file(path, 0, 0, nullptr, &config);
+    if (!file.init_spec(path, 0, 0))
+        return murk_fail(context, MURK_ERROR_INPUT,
+                         "%s: not an image that OpenImageIO reads, such as EXR, PNG or TIFF", path);
+    const OIIO::ImageSpec &spec = file.spec();
+    std::vector<const char *> names;
+    for (const std::string &name : spec.channelnames)
+        names.push_back(name.c_str());
+    murk_image *image = nullptr;
+    murk_status status = murk_image_create(context, spec.full_width, spec.full_height,
+                                           spec.nchannels, names.data(), &image);
+    if (status != MURK_OK)
+        return status;
+    OIIO::ROI window = file.roi_full();
+    window.chbegin = 0;
+    window.chend = spec.nchannels;
+    if (!file.read(0, 0, true, OIIO::TypeFloat) ||
+        !file.get_pixels(window, OIIO::TypeFloat, image->pixels)) {
+        murk_image_release(image);
+        return murk_fail(context, MURK_ERROR_INPUT, "%s: damaged image: %s", path,
+                         one_line(file.geterror()).c_str());
+    }
+    make_linear(file.nativespec(), *image);
+    *out = image;
+    return MURK_OK;
+}
+
+OIIO::ImageSpec output_spec(const murk_oiio_pixels &pixels)
+{
+    OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels,
+                         pixels.floats ? OIIO::TypeFloat : OIIO::TypeUInt8);
+    spec.channelnames.assign(pixels.names, pixels.names + pixels.channels);
+    spec.alpha_channel = spec.z_channel = -1;
+    for (int c = 0; c < pixels.channels; c++) {
+        if (spec.channelnames[c] == "A")
+            spec.alpha_channel = c;
+        if (spec.channelnames[c] == "Z")
+            spec.z_channel = c;
+    }
+    spec.attribute("oiio:ColorSpace", pixels.floats ? "Linear" : "sRGB");
+    if (pixels.floats)
+        spec.attribute("compression", "zip");
+    spec.attribute("Software", "murk " MURK_VERSION);
+    if (pixels.command)
+        spec.attribute("murk:command", pixels.command);
+    if (pixels.units)
+        spec.attribute("murk:units", pixels.units);
+    return spec;
+}
+
+murk_status write_image(murk_context *context, const char *path, const char *shown,
+                        const murk_oiio_pixels &pixels)
+{
+    std::unique_ptr<OIIO::ImageOutput> file = OIIO::ImageOutput::create(path);
+    if (!file)
+        return murk_fail(context, MURK_ERROR_IO, "%s: cannot write: %s", shown,
+                         one_line(OIIO::geterror()).c_str());
+    file->threads(context->threads);
+    bool written = file->open(path, output_spec(pixels)) &&
+                   (pixels.floats ? file->write_image(OIIO::TypeFloat, pixels.floats)
+                                  : file->write_image(OIIO::TypeUInt8, pixels.bytes));
+    std::string reason = written ? "" : one_line(file->geterror());
+    if (!file->close() && written)
+        reason = one_line(file->geterror());
+    if (!reason.empty())
+        return murk_fail(context, MURK_ERROR_IO, "%s: cannot write: %s", shown, reason.c_str());
+    return MURK_OK;
+}
+
+} // namespace
+
+murk_status murk_oiio_read(murk_context *context, const char *path, murk_image **out) noexcept
+{
+    return guard(context, path, [&] { return read_image(context, path, out); });
+}
+
+murk_status murk_oiio_write(murk_context *context, const char *path, const char *shown,
+                            const murk_oiio_pixels *pixels) noexcept
+{
+    return guard(context, shown, [&] { return write_image(context, path, shown, *pixels); });
+}

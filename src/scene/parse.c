@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The keys of a scene file. */
+#include "keys.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define COUNT(table) (sizeof(table) / sizeof *(table))
+#define FIELD(name)  .offset = offsetof(struct scene_description, name)
+#define WHOLE        .offset = 0
+#define NOT_NEGATIVE .min = 0.0, .max = INFINITY, .range = "a number >= 0"
+
+static bool read_voxels(struct scene_reader *reader, const json_t *value, void *field,
+                        const struct scene_key *key)
+{
+    (void)key;
+    const char *text = json_string_value(value);
+    if (!text || (strcmp(text, "center") && strcmp(text, "corner")))
+        return scene_fail(reader, "not \"center\" or \"corner\"");
+    *(bool *)field = !strcmp(text, "corner");
+    return true;
+}
+
+static bool read_up(struct scene_reader *reader, const json_t *value, void *field,
+                    const struct scene_key *key)
+{
+    (void)key;
+    const char *text = json_string_value(value);
+    if (!text || (strcmp(text, "z") && strcmp(text, "y")))
+        return scene_fail(reader, "not \"z\" or \"y\"");
+    *(murk_up *)field = *text == 'y' ? MURK_UP_Y : MURK_UP_Z;
+    return true;
+}
+
+static bool read_medium(struct scene_reader *reader, const json_t *value, void *field,
+                        const struct scene_key *key)
+{
+    static const struct scene_key KEYS[] = {
+        {"file", scene_read_text, FIELD(medium_file)},
+        {"extinction", scene_read_quantity, FIELD(medium.extinction), .min = 0.0, .max = INFINITY,
+         .open = true, .range = "a positive number [1/m]"},
+        {"albedo", scene_read_quantity, FIELD(medium.albedo), .min = 0.0, .max = 1.0,
+         .range = "between 0 and 1"},
+        {"emission", scene_read_quantity, FIELD(medium.emission), NOT_NEGATIVE},
+        {"voxels", read_voxels, FIELD(medium.corner)},
+        {"voxel_size", scene_read_number, FIELD(medium.voxel_size), .min = 0.0, .max = INFINITY,
+         .open = true, .range = "a positive number [m]"},
+        {"strict", scene_read_bool, FIELD(medium.strict)},
+    };
+    (void)key;
+    return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
+}
+
+static bool read_sun(struct scene_reader *reader, const json_t *value, void *field,
+                     const struct scene_key *key)
+{
+    static const struct scene_key KEYS[] = {
+        {"direction", scene_read_vector, FIELD(sun.direction)},
+        {"irradiance", scene_read_number, FIELD(sun.irradiance), NOT_NEGATIVE},
+    };
+    struct scene_description *description = field;
+    (void)key;
+    description->sun_named = true;
+    if (!scene_read_object(reader, value, KEYS, COUNT(KEYS), field))
+        return false;
+    const double *d = description->sun.direction;
+    if (d[0] == 0.0 && d[1] == 0.0 && d[2] == 0.0)
+        return scene_fail(reader, "direction: [0, 0, 0] is no direction of travel");
+    return true;
+}
+
+static bool read_sky(struct scene_reader *reader, const json_t *value, void *field,
+                     const struct scene_key *key)
+{
+    static const struct scene_key KEYS[] = {
+        {"radiance", scene_read_number, FIELD(sky_radiance), NOT_NEGATIVE},
+    };
+    (void)key;
+    ((struct scene_description *)field)->sky_named = true;
+    return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
+}
+
+/* A number in range or, in the text before it, the path of an image. */
+static bool number_or_image(struct scene_reader *reader, const json_t *value, double *number,
+                            const char **image, const struct scene_key *key)
+{
+    if (json_is_string(value))
+        return scene_read_text(reader, value, image, key);
+    if (json_is_number(value))
+        return scene_read_number(reader, value, number, key);
+    return scene_fail(reader, "not a number or the path of an image");
+}
+
+static bool read_reflectance(struct scene_reader *reader, const json_t *value, void *field,
+                             const struct scene_key *key)
+{
+    struct scene_description *description = field;
+    return number_or_image(reader, value, &description->ground.reflectance,
+                           &description->reflectance_image, key);
+}
+
+static bool read_emission(struct scene_reader *reader, const json_t *value, void *field,
+                          const struct scene_key *key)
+{
+    struct scene_description *description = field;
+    return number_or_image(reader, value, &description->ground.emission,
+                           &description->emission_image, key);
+}
+
+static bool read_extent(struct scene_reader *reader, const json_t *value, void *field,
+                        const struct scene_key *key)
+{
+    murk_ground_options *ground = field;
+    if (!json_is_array(value) || json_array_size(value) != 2)
+        return scene_fail(reader, "not two corners [[a, b], [a, b]]");
+    if (!scene_read_pair(reader, json_array_get(value, 0), ground->extent_min, key) ||
+        !scene_read_pair(reader, json_array_get(value, 1), ground->extent_max, key))
+        return false;
+    for (int i = 0; i < 2; i++)
+        if (!(ground->extent_min[i] < ground->extent_max[i]))
+            return scene_fail(reader, "from %g to %g is no extent: the low corner comes first",
+                              ground->extent_min[i], ground->extent_max[i]);
+    return true;
+}
+
+static bool read_ground(struct scene_reader *reader, const json_t *value, void *field,
+                        const struct scene_key *key)
+{
+    static const struct scene_key KEYS[] = {
+        {"height", scene_read_number, FIELD(ground.height), .min = -INFINITY, .max = INFINITY},
+        {"extent", read_extent, FIELD(ground)},
+        {"patches", scene_read_size, FIELD(ground.patches), .min = 1.0, .max = 65536.0,
+         .range = "two whole numbers of patches, each at least 1"},
+        {"reflectance", read_reflectance, .min = 0.0, .max = 1.0, .range = "between 0 and 1"},
+        {"emission", read_emission, NOT_NEGATIVE},
+        {"horizon", scene_read_bool, FIELD(ground.horizon)},
+    };
+    (void)key;
+    ((struct scene_description *)field)->ground_named = true;
+    return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
+}
+
+static bool read_camera(struct scene_reader *reader, const json_t *value, void *field,
+                        const struct scene_key *key)
+{
+    static const struct scene_key KEYS[] = {
+        {"eye", scene_read_vector, FIELD(camera.eye)},
+        {"target", scene_read_vector, FIELD(camera.target)},
+        {"up", scene_read_vector, FIELD(camera.up)},
+        {"fov", scene_read_number, FIELD(camera.fov), .min = 0.0, .max = 180.0, .open = true,
+         .range = "between 0 and 180 degrees"},
+        {"size", scene_read_size, FIELD(camera.size), .min = 1.0, .max = 65536.0,
+         .range = "a width and height of 1 to 65536 pixels"},
+    };
+    (void)key;
+    return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
+}
+
+static bool read_scene(struct scene_reader *reader, const json_t *root,
+                       struct scene_description *description)
+{
+    static const struct scene_key KEYS[] = {
+        {"medium", read_medium, WHOLE}, {"sun", read_sun, WHOLE},
+        {"sky", read_sky, WHOLE},       {"ground", read_ground, WHOLE},
+        {"up", read_up, FIELD(up)},     {"voxels", read_voxels, FIELD(medium.corner)},
+        {"camera", read_camera, WHOLE}, {"background", scene_read_text, FIELD(background)},
+    };
+    if (!scene_read_object(reader, root, KEYS, COUNT(KEYS), description))
+        return false;
+    if (!description->medium_file)
+        return scene_fail(reader, "no \"medium\" with a \"file\": {\"medium\": {\"file\": "
+                                  "\"plume.vdb\"}} is the least");
+    return true;
+}
+
+void scene_describe_volume(const char *medium_file, struct scene_description *out)
+{
+    const murk_medium_options medium = MURK_MEDIUM_DEFAULT;
+    const murk_ground_options ground = MURK_GROUND_DEFAULT;
+    *out = (struct scene_description){
+        .medium_file = medium_file,
+        .medium = medium,
+        .sun = {{NAN, NAN, NAN}, NAN},
+        .sky_radiance = NAN,
+        .ground = ground,
+        .up = MURK_UP_Z,
+        .camera = {{NAN, NAN, NAN}, {NAN, NAN, NAN}, {NAN, NAN, NAN}, NAN, {0, 0}},
+    };
+    out->ground.height = NAN;
+    out->ground.patches[0] = out->ground.patches[1] = 0;
+    for (int i = 0; i < 2; i++)
+        out->ground.extent_min[i] = out->ground.extent_max[i] = 0.0;
+}
+
+murk_status scene_parse(const char *path, struct scene_description *out,
+                        char message[SCENE_MESSAGE_SIZE])
+{
+    struct scene_description description;
+    struct scene_reader reader = {.file = path, .message = message};
+    json_error_t error;
+    scene_describe_volume(NULL, &description);
+    description.path = path;
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        snprintf(message, SCENE_MESSAGE_SIZE, "%s: cannot read: %s", path, strerror(errno));
+        return MURK_ERROR_INPUT;
+    }
+    description.root = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
+    fclose(file);
+    if (!description.root) {
+        snprintf(message, SCENE_MESSAGE_SIZE, "%s:%d:%d: %s", path, error.line, error.column,
+                 error.text);
+        return MURK_ERROR_INPUT;
+    }
+    const char *slash = strrchr(path, '/');
+    description.folder = strndup(path, slash ? (size_t)(slash - path) + 1 : 0);
+    if (!description.folder || !read_scene(&reader, description.root, &description)) {
+        if (!description.folder)
+            snprintf(message, SCENE_MESSAGE_SIZE, "%s: out of memory", path);
+        murk_status status = description.folder ? MURK_ERROR_INPUT : MURK_ERROR_MEMORY;
+        scene_description_release(&description);
+        return status;
+    }
+    *out = description;
+    return MURK_OK;
+}
+
+void scene_description_release(struct scene_description *description)
+{
+    json_decref(description->root);
+    free(description->folder);
+    *description = (struct scene_description){0};
+}

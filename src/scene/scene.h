@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The scene file: from JSON to a description, from a description to murk's objects. */
+#ifndef SCENE_SCENE_H
+#define SCENE_SCENE_H
+
+#include "murk/murk.h"
+
+struct json_t;
+
+enum { SCENE_MESSAGE_SIZE = 1024 };
+
+/*
+ * What a scene names, before anything is read: a caller may change it between scene_parse() and
+ * scene_build(). Numbers that the scene leaves open are NaN, image sizes 0, texts NULL. Texts live
+ * as long as the description.
+ */
+struct scene_description {
+    const char *path;    /* of the scene file, for messages; NULL: a bare volume */
+    char *folder;        /* that relative paths start from: "" or ending in '/' */
+    struct json_t *root; /* owns the texts */
+    const char *medium_file;
+    murk_medium_options medium;
+    bool sun_named, sky_named, ground_named;
+    murk_sun sun;
+    double sky_radiance;
+    murk_ground_options ground; /* patches 0 and extent_min == extent_max are open */
+    const char *reflectance_image, *emission_image;
+    murk_up up;
+    murk_camera camera;
+    const char *background; /* an image path, or "none" */
+};
+
+/* The murk objects of a scene. */
+struct scene {
+    murk_volume *volume;
+    murk_medium *medium;
+    murk_ground *ground; /* NULL: none */
+    murk_scene scene;
+    murk_camera camera;
+    murk_image *background; /* NULL: none */
+    bool no_background;
+};
+
+/* A description of the volume alone. */
+void scene_describe_volume(const char *medium_file, struct scene_description *out);
+
+/*
+ * Reads a scene file. On failure message holds one line that names the file, the key's path, what
+ * is wrong and what would be right; there is nothing to release then.
+ */
+murk_status scene_parse(const char *path, struct scene_description *out,
+                        char message[SCENE_MESSAGE_SIZE]);
+void scene_description_release(struct scene_description *description);
+
+/* Reads the volume of a description into scene->volume. */
+murk_status scene_read_volume(murk_context *context, const struct scene_description *description,
+                              struct scene *scene, char message[SCENE_MESSAGE_SIZE]);
+
+/*
+ * Builds everything else from scene->volume. What a description does not name is absent, except
+ * that one without any light gets the sun, the sky and (unless it names one) the ground of
+ * murk_scene_default(). On failure *scene is still to be released.
+ */
+murk_status scene_build(murk_context *context, const struct scene_description *description,
+                        struct scene *scene, char message[SCENE_MESSAGE_SIZE]);
+
+/* Frees what a zero-initialised scene holds. */
+void scene_release(struct scene *scene);
+
+#endif

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "murk/murk.h"
+
+#include "finish.h"
+#include "levels.h"
+
+#include <math.h>
+
+static murk_status check(murk_context *context, const murk_solve_options *o)
+{
+    if (!(o->tolerance > 0 && o->tolerance < 1))
+        return murk_fail(context, MURK_ERROR_INPUT, "tolerance: %g is not between 0 and 100 %%",
+                         100 * o->tolerance);
+    if (o->directions < 0 || o->directions > 1 << 20)
+        return murk_fail(context, MURK_ERROR_INPUT, "directions: %d is not between 1 and 1048576",
+                         o->directions);
+    if (o->rays < 0 || o->rays > 64)
+        return murk_fail(context, MURK_ERROR_INPUT, "rays: %d is not between 1 and 64", o->rays);
+    if (o->solver == MURK_GAUSS_SEIDEL && o->method != MURK_PAIRWISE)
+        return murk_fail(context, MURK_ERROR_INPUT,
+                         "solver: Gauss-Seidel needs the rows of the system: use the pairwise "
+                         "method with it, or conjugate gradients");
+    if (o->solver == MURK_GAUSS_SEIDEL && !(o->epsilon > 0))
+        return murk_fail(context, MURK_ERROR_INPUT, "epsilon: %g is not positive", o->epsilon);
+    return MURK_OK;
+}
+
+murk_status murk_solve(murk_context *context, const murk_scene *scene,
+                       const murk_solve_options *options, murk_solution **out)
+{
+    const murk_solve_options defaults = MURK_SOLVE_DEFAULT;
+    murk_solve_options o = options ? *options : defaults;
+    o.max_iterations = o.max_iterations > 0 ? o.max_iterations : 1000;
+    o.rays = o.rays > 0 ? o.rays : 1;
+    murk_status status = check(context, &o);
+    if (status)
+        return status;
+
+    double start = murk_seconds();
+    murk_solution *solution = NULL;
+    murk_stage stage = {0};
+    status = murk_solution_create(context, scene, &solution);
+    if (status)
+        return status;
+    murk_report *report = &solution->report;
+    double setup = murk_seconds();
+    report->seconds_setup = setup - start;
+    report->tolerance = o.tolerance;
+    report->reached = true;
+    murk_progress(context, "light", 0);
+    status = murk_stage_create(context, solution, &stage);
+    report->seconds_light = murk_seconds() - setup;
+    if (!status)
+        status = o.method == MURK_PAIRWISE ? murk_solve_pairwise(context, solution, &stage, &o)
+                                           : murk_solve_lines(context, solution, &stage, &o);
+    murk_progress(context, "solve", 1);
+    murk_stage_clear(&stage);
+    if (status && status != MURK_NOT_REACHED) {
+        murk_solution_release(solution);
+        return status;
+    }
+    *out = solution;
+    return status;
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The linear system of [BG91] eqs. (1), (2) over an exchange operator. */
+#ifndef MURK_SOLVE_SYSTEM_H
+#define MURK_SOLVE_SYSTEM_H
+
+#include "ground.h"
+#include "medium.h"
+#include "murk/exchange.h"
+
+/* Radiosities of zones (a field on the medium's grid) and patches (NULL without ground). */
+typedef struct murk_vector {
+    float *zone;
+    float *patch;
+} murk_vector;
+
+/*
+ * L x = b with (L x)_k = x_k - albedo_k (G x)_k / 4 for zones and x_i - rho_i H_i for patches. L is
+ * self-adjoint and positive definite in the inner product
+ *     <u, v> = sum 4 kappa V / albedo u v + sum A / rho u v,
+ * over the zones with albedo > 0 and the patches with rho > 0; elsewhere L is the identity.
+ */
+typedef struct murk_system {
+    murk_context *context;
+    const murk_exchange_method *method;
+    void *state;
+    const murk_medium *medium;
+    const murk_ground *ground;
+    size_t slots, patches;
+    double power; /* counts applications, each as `cost` */
+    double cost;
+} murk_system;
+
+murk_status murk_vector_create(const murk_system *system, murk_vector *out);
+void murk_vector_clear(murk_vector *vector);
+void murk_vector_copy(const murk_system *system, const murk_vector *from, murk_vector *to);
+/* y += a x */
+void murk_vector_add(const murk_system *system, double a, const murk_vector *x, murk_vector *y);
+/* y = x + a y */
+void murk_vector_turn(const murk_system *system, const murk_vector *x, double a, murk_vector *y);
+double murk_vector_product(const murk_system *system, const murk_vector *x, const murk_vector *y);
+/* Sum of kappa_t V x^2 over the zones: the norm that the tolerance is about, squared. */
+double murk_vector_norm2(const murk_system *system, const murk_vector *x);
+
+/* y = L x */
+murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y);
+
+#endif

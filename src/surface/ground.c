@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "ground.h"
+
+#include <math.h>
+
+/* Margin patches grow by this ratio until the ground reaches REACH times the extent. */
+static const double GROWTH = 1.4;
+static const double REACH = 30;
+
+static murk_status check(murk_context *context, const murk_ground_options *o)
+{
+    for (int c = 0; c < 2; c++) {
+        if (!(o->extent_max[c] > o->extent_min[c]) || !isfinite(o->extent_max[c] - o->extent_min[c]))
+            return murk_fail(context, MURK_ERROR_INPUT,
+                             "ground.extent: [%g, %g] is empty on axis %c; the second corner has "
+                             "to lie beyond the first",
+                             o->extent_min[c], o->extent_max[c], "ab"[c]);
+        if (o->patches[c] < 1 || o->patches[c] > 1 << 14)
+            return murk_fail(context, MURK_ERROR_INPUT,
+                             "ground.patches: %d is not between 1 and 16384", o->patches[c]);
+    }
+    if (!isfinite(o->height))
+        return murk_fail(context, MURK_ERROR_INPUT, "ground.height: not a finite number");
+    size_t count = (size_t)o->patches[0] * (size_t)o->patches[1];
+    for (size_t i = 0; i < count; i++) {
+        double rho = o->reflectance_image ? o->reflectance_image[i] : o->reflectance;
+        double e = o->emission_image ? o->emission_image[i] : o->emission;
+        if (!(rho >= 0 && rho <= 1))
+            return murk_fail(context, MURK_ERROR_INPUT,
+                             "ground.reflectance: %g is not between 0 and 1", rho);
+        if (!(e >= 0) || !isfinite(e))
+            return murk_fail(context, MURK_ERROR_INPUT,
+                             "ground.emission: %g is not a finite number >= 0", e);
+        if (!o->reflectance_image && !o->emission_image)
+            break;
+    }
+    return MURK_OK;
+}
+
+static int margin_count(const murk_ground_options *o)
+{
+    double extent = fmax(o->extent_max[0] - o->extent_min[0], o->extent_max[1] - o->extent_min[1]);
+    double patch = fmin((o->extent_max[0] - o->extent_min[0]) / o->patches[0],
+                        (o->extent_max[1] - o->extent_min[1]) / o->patches[1]);
+    return (int)ceil(log(1 + REACH * extent / patch * (GROWTH - 1)) / log(GROWTH));
+}
+
+static void fill_edges(murk_ground *ground, const murk_ground_options *o)
+{
+    for (int c = 0; c < 2; c++) {
+        double *edge = ground->edge[c], low = o->extent_min[c], high = o->extent_max[c];
+        int n = ground->interior[c], margin = ground->margin;
+        double step = (high - low) / n;
+        for (int i = 0; i <= n; i++)
+            edge[margin + i] = low + (high - low) * i / n;
+        for (int i = 1; i <= margin; i++) {
+            double out = step * (pow(GROWTH, i) - 1) / (GROWTH - 1) * GROWTH;
+            edge[margin - i] = low - out;
+            edge[margin + n + i] = high + out;
+        }
+    }
+}
+
+static void fill_patches(murk_ground *ground, const murk_ground_options *o)
+{
+    int nx = ground->interior[0], ny = ground->interior[1];
+    double rho_sum = 0, e_sum = 0;
+    for (int ib = 0; ib < ny; ib++)
+        for (int ia = 0; ia < nx; ia++) {
+            /* Row 0 of an image is the far edge: largest y, or smallest z where y is up. */
+            int row = ground->up == MURK_UP_Z ? ny - 1 - ib : ib;
+            size_t pixel = (size_t)row * (size_t)nx + (size_t)ia;
+            size_t patch = murk_ground_interior(ground, ia, ib);
+            double rho = o->reflectance_image ? o->reflectance_image[pixel] : o->reflectance;
+            double e = o->emission_image ? o->emission_image[pixel] : o->emission;
+            ground->reflectance[patch] = (float)rho;
+            ground->emission[patch] = (float)e;
+            rho_sum += rho;
+            e_sum += e;
+        }
+    ground->mean_reflectance = rho_sum / ((double)nx * ny);
+    ground->mean_emission = e_sum / ((double)nx * ny);
+    for (int ib = 0; ib < ground->count[1]; ib++)
+        for (int ia = 0; ia < ground->count[0]; ia++) {
+            int in_a = ia - ground->margin, in_b = ib - ground->margin;
+            if (in_a >= 0 && in_a < nx && in_b >= 0 && in_b < ny)
+                continue;
+            size_t patch = (size_t)ib * (size_t)ground->count[0] + (size_t)ia;
+            ground->reflectance[patch] = (float)ground->mean_reflectance;
+            ground->emission[patch] = (float)ground->mean_emission;
+        }
+}
+
+murk_status murk_ground_create(murk_context *context, const murk_ground_options *options,
+                               murk_ground **out)
+{
+    const murk_ground_options defaults = MURK_GROUND_DEFAULT;
+    if (!options)
+        options = &defaults;
+    murk_status status = check(context, options);
+    if (status)
+        return status;
+    murk_ground *ground = murk_alloc(1, sizeof *ground);
+    if (!ground)
+        return murk_fail(context, MURK_ERROR_MEMORY, "ground: out of memory");
+    ground->references = 1;
+    ground->up = options->up;
+    ground->height = options->height;
+    ground->horizon = options->horizon;
+    ground->margin = options->horizon ? margin_count(options) : 0;
+    for (int c = 0; c < 2; c++) {
+        ground->interior[c] = options->patches[c];
+        ground->count[c] = options->patches[c] + 2 * ground->margin;
+        ground->edge[c] = murk_alloc((size_t)ground->count[c] + 1, sizeof(double));
+    }
+    ground->patch_count = (size_t)ground->count[0] * (size_t)ground->count[1];
+    ground->reflectance = murk_alloc(ground->patch_count, sizeof(float));
+    ground->emission = murk_alloc(ground->patch_count, sizeof(float));
+    if (!ground->edge[0] || !ground->edge[1] || !ground->reflectance || !ground->emission) {
+        murk_ground_release(ground);
+        return murk_fail(context, MURK_ERROR_MEMORY, "ground: out of memory for its patches");
+    }
+    fill_edges(ground, options);
+    fill_patches(ground, options);
+    *out = ground;
+    return MURK_OK;
+}
+
+murk_ground *murk_ground_share(const murk_ground *ground)
+{
+    murk_ground *shared = (murk_ground *)ground;
+    if (shared)
+        shared->references++;
+    return shared;
+}
+
+void murk_ground_release(murk_ground *ground)
+{
+    if (!ground || --ground->references > 0)
+        return;
+    murk_free(ground->edge[0]);
+    murk_free(ground->edge[1]);
+    murk_free(ground->reflectance);
+    murk_free(ground->emission);
+    murk_free(ground);
+}
+
+/* Column of x among the edges of one axis, or -1 outside. */
+static int find_column(const murk_ground *ground, int c, double x)
+{
+    const double *edge = ground->edge[c];
+    int n = ground->interior[c], margin = ground->margin, count = ground->count[c];
+    double low = edge[margin], high = edge[margin + n];
+    if (x >= low && x < high) {
+        int i = (int)((x - low) / (high - low) * n);
+        return margin + (i < n ? i : n - 1);
+    }
+    if (!(x >= edge[0] && x < edge[count]))
+        return -1;
+    int first = x < low ? 0 : margin + n, last = x < low ? margin : count;
+    while (last - first > 1) {
+        int middle = (first + last) / 2;
+        if (x < edge[middle])
+            last = middle;
+        else
+            first = middle;
+    }
+    return first;
+}
+
+int64_t murk_ground_patch(const murk_ground *ground, double a, double b)
+{
+    int ia = find_column(ground, 0, a), ib = find_column(ground, 1, b);
+    if (ia < 0 || ib < 0)
+        return ground->horizon ? MURK_GROUND_HORIZON : MURK_GROUND_NOTHING;
+    return (int64_t)ib * ground->count[0] + ia;
+}
+
+double murk_ground_area(const murk_ground *ground, size_t patch)
+{
+    size_t ia = patch % (size_t)ground->count[0], ib = patch / (size_t)ground->count[0];
+    return (ground->edge[0][ia + 1] - ground->edge[0][ia]) *
+           (ground->edge[1][ib + 1] - ground->edge[1][ib]);
+}
+
+size_t murk_ground_interior(const murk_ground *ground, int ia, int ib)
+{
+    return (size_t)(ib + ground->margin) * (size_t)ground->count[0] + (size_t)(ia + ground->margin);
+}
+
+int murk_ground_axis_a(const murk_ground *ground)
+{
+    (void)ground;
+    return 0;
+}
+
+int murk_ground_axis_b(const murk_ground *ground)
+{
+    return ground->up == MURK_UP_Z ? 1 : 2;
+}
+
+int murk_ground_axis_up(const murk_ground *ground)
+{
+    return ground->up == MURK_UP_Z ? 2 : 1;
+}
+
+void murk_ground_patches(const murk_ground *ground, int patches[2])
+{
+    patches[0] = ground->interior[0];
+    patches[1] = ground->interior[1];
+}

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The ground inside the library: a plane of rectangular patches on a tensor grid. */
+#ifndef MURK_SURFACE_GROUND_H
+#define MURK_SURFACE_GROUND_H
+
+#include "context.h"
+
+/*
+ * Horizontal coordinates (a, b): (x, y) for up = z, (x, z) for up = y. Patch (ia, ib) is
+ * [a[ia], a[ia+1]] x [b[ib], b[ib+1]], number ib * count[0] + ia. The user's patches are the
+ * interior; where horizon is set, margin columns and rows of growing patches surround them and
+ * beyond those the ground is undisturbed by the medium.
+ */
+struct murk_ground {
+    int references;
+    murk_up up;
+    double height;
+    bool horizon;
+    int interior[2]; /* nx, ny as the user gave them */
+    int margin;      /* patches added on every side */
+    int count[2];    /* interior + 2 * margin */
+    double *edge[2]; /* count + 1 coordinates [m] */
+    size_t patch_count;
+    float *reflectance; /* rho per patch */
+    float *emission;    /* E of the patch itself [W/m^2], not scaled by emissivity */
+    double mean_reflectance, mean_emission;
+};
+
+enum { MURK_GROUND_HORIZON = -1, MURK_GROUND_NOTHING = -2 };
+
+/* Patch number at (a, b); outside: MURK_GROUND_HORIZON or, without horizon, MURK_GROUND_NOTHING. */
+int64_t murk_ground_patch(const murk_ground *ground, double a, double b);
+double murk_ground_area(const murk_ground *ground, size_t patch);
+/* Number of the patch at column ia, row ib of the user's interior. */
+size_t murk_ground_interior(const murk_ground *ground, int ia, int ib);
+
+/* World axis number (0, 1, 2) of a, b and up. */
+int murk_ground_axis_a(const murk_ground *ground);
+int murk_ground_axis_b(const murk_ground *ground);
+int murk_ground_axis_up(const murk_ground *ground);
+
+murk_ground *murk_ground_share(const murk_ground *ground);
+
+#endif

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Output that appears whole or not at all: written beside its target, then renamed. */
+#ifndef MURK_VDB_BESIDE_H
+#define MURK_VDB_BESIDE_H
+
+#include "context.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct murk_beside {
+    const char *where; /* for messages: the path or "standard output" */
+    int file;          /* open for writing */
+    char *target;      /* NULL: the output goes straight to a pipe, a device or standard output */
+    char *temporary;
+} murk_beside;
+
+/* Opens the output for a path; "-" is standard output, which must not be a terminal. The path must
+   outlive *out. */
+murk_status murk_beside_open(murk_context *context, const char *path, murk_beside *out);
+
+/* Closes the output and renames it to its target. */
+murk_status murk_beside_finish(murk_context *context, murk_beside *beside);
+
+/* Closes and removes what was written; does nothing after murk_beside_finish(). */
+void murk_beside_discard(murk_beside *beside);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

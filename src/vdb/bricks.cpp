@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Trees to bricks and back. */
+#include "guard.hpp"
+#include "handle.hpp"
+#include "vdb.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+using openvdb::Coord;
+using openvdb::CoordBBox;
+
+namespace
+{
+
+/* A brick's place and where its values come from: a leaf, or a tile's value where that is null. */
+template <class Leaf> struct origin {
+    Coord brick;
+    const Leaf *leaf;
+    float tile;
+};
+
+Coord brick_of(const Coord &voxel)
+{
+    return Coord(voxel[0] >> 3, voxel[1] >> 3, voxel[2] >> 3);
+}
+
+template <class Grid> auto find_origins(const Grid &grid)
+{
+    using Leaf = typename Grid::TreeType::LeafNodeType;
+    std::vector<origin<Leaf>> found;
+    for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
+        if (!leaf->getValueMask().isOff())
+            found.push_back({brick_of(leaf->origin()), &*leaf, 0});
+    murk_vdb_each_tile(grid, [&](const CoordBBox &box, double value) {
+        const CoordBBox bricks(brick_of(box.min()), brick_of(box.max()));
+        for (auto at = bricks.begin(); at; ++at)
+            found.push_back({*at, nullptr, float(value)});
+    });
+    std::sort(found.begin(), found.end(),
+              [](const auto &a, const auto &b) { return a.brick < b.brick; });
+    return found;
+}
+
+template <class Leaf> void fill(const origin<Leaf> &from, uint64_t mask[8], float *values)
+{
+    if (!from.leaf) {
+        std::fill_n(mask, 8, ~uint64_t(0));
+        std::fill_n(values, MURK_BRICK_SLOTS, from.tile);
+        return;
+    }
+    for (auto voxel = from.leaf->cbeginValueOn(); voxel; ++voxel) {
+        const unsigned slot = voxel.pos();
+        mask[slot >> 6] |= uint64_t(1) << (slot & 63);
+        values[slot] = float(*voxel);
+    }
+}
+
+template <class Grid> bool copy(const Grid &grid, murk_bricks &bricks)
+{
+    const auto found = find_origins(grid);
+    bricks.count = found.size();
+    bricks.background = float(grid.background());
+    bricks.brick = static_cast<int32_t(*)[3]>(murk_alloc(found.size(), sizeof *bricks.brick));
+    bricks.mask = static_cast<uint64_t(*)[8]>(murk_alloc(found.size(), sizeof *bricks.mask));
+    bricks.values =
+        static_cast<float *>(murk_alloc(found.size() * MURK_BRICK_SLOTS, sizeof(float)));
+    if (!bricks.brick || !bricks.mask || !bricks.values)
+        return false;
+    for (size_t b = 0; b < found.size(); b++) {
+        for (int a = 0; a < 3; a++)
+            bricks.brick[b][a] = found[b].brick[a];
+        fill(found[b], bricks.mask[b], bricks.values + b * MURK_BRICK_SLOTS);
+    }
+    return true;
+}
+
+} // namespace
+
+murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t index,
+                            murk_bricks *out) noexcept
+{
+    return murk_guard(context, vdb->path.c_str(), [&]() -> murk_status {
+        const murk_vdb_item &item = vdb->items[index];
+        if (!item.grid)
+            return murk_fail(context, MURK_ERROR_INPUT, "%s, grid %s: cannot be used: %s",
+                             vdb->path.c_str(), item.name.c_str(), item.unreadable.c_str());
+        murk_bricks bricks{};
+        bool complete = false;
+        murk_vdb_scalar(*item.grid, [&](const auto &grid) { complete = copy(grid, bricks); });
+        if (!complete) {
+            murk_bricks_clear(&bricks);
+            throw std::bad_alloc();
+        }
+        std::memcpy(bricks.index_to_world, item.info.index_to_world, sizeof bricks.index_to_world);
+        *out = bricks;
+        return MURK_OK;
+    });
+}

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* A medium from the grids of a volume. */
+#include "medium.h"
+#include "volume.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* What is being put together. */
+typedef struct assembly {
+    murk_context *context;
+    const murk_volume *volume;
+    const murk_medium_options *options;
+    const char *path;
+    size_t extinction; /* number of the grid */
+    murk_medium_parts parts;
+} assembly;
+
+static murk_status check_number(const assembly *a, const char *key, double number)
+{
+    if (number >= 0 && isfinite(number))
+        return MURK_OK;
+    return murk_fail(a->context, MURK_ERROR_INPUT, "%s: %s %g; give a number of at least 0",
+                     a->path, key, number);
+}
+
+static murk_status check_options(const assembly *a)
+{
+    const murk_medium_options *options = a->options;
+    const struct {
+        const char *key;
+        double number;
+    } numbers[] = {
+        {"extinction", options->extinction.value},
+        {"extinction scale", options->extinction.scale},
+        {"albedo", options->albedo.grid ? 0 : options->albedo.value},
+        {"albedo scale", options->albedo.grid ? options->albedo.scale : 0},
+        {"emission", options->emission.grid ? 0 : options->emission.value},
+        {"emission scale", options->emission.grid ? options->emission.scale : 0},
+        {"voxel size", options->voxel_size},
+    };
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers && !status; i++)
+        status = check_number(a, numbers[i].key, numbers[i].number);
+    return status;
+}
+
+static murk_status find_extinction(assembly *a)
+{
+    if (a->options->extinction.grid)
+        return murk_volume_find(a->context, a->volume, a->options->extinction.grid, &a->extinction);
+    int64_t chosen = murk_volume_choose(a->volume);
+    if (chosen == MURK_NO_GRID) {
+        const char *name = NULL, *unreadable = "";
+        for (size_t i = 0; i < murk_vdb_count(a->volume->vdb); i++) {
+            const murk_grid_info *info = murk_vdb_info(a->volume->vdb, i);
+            if (info->readable)
+                return murk_fail(a->context, MURK_ERROR_INPUT,
+                                 "%s: no grid looks like a density; name the one to use, such as "
+                                 "\"%s\"",
+                                 a->path, info->name);
+            if (!name || murk_volume_same_name(info->name, "density")) {
+                name = info->name;
+                unreadable = info->unreadable;
+            }
+        }
+        if (!name)
+            return murk_fail(a->context, MURK_ERROR_INPUT,
+                             "%s: no grids; give a file with a density", a->path);
+        return murk_fail(a->context, MURK_ERROR_INPUT,
+                         "%s: no grid can be taken for a density; grid %s: %s", a->path, name,
+                         unreadable);
+    }
+    a->extinction = (size_t)chosen;
+    return MURK_OK;
+}
+
+/* Two grids on the same transform: within a thousandth of a voxel near the origin. */
+static murk_status check_transforms(const assembly *a, size_t other, const char *quantity)
+{
+    const murk_grid_info *one = murk_vdb_info(a->volume->vdb, a->extinction);
+    const murk_grid_info *two = murk_vdb_info(a->volume->vdb, other);
+    double voxel = fmin(fmin(one->voxel_size[0], one->voxel_size[1]), one->voxel_size[2]);
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 4; column++) {
+            double tolerance = (column < 3 ? 1e-6 : 1e-3) * voxel;
+            int i = 4 * row + column;
+            if (!(fabs(one->index_to_world[i] - two->index_to_world[i]) <= tolerance))
+                return murk_fail(a->context, MURK_ERROR_INPUT,
+                                 "%s: the grids %s (extinction) and %s (%s) are on different "
+                                 "transforms; resample one to the other",
+                                 a->path, one->name, two->name, quantity);
+        }
+    return MURK_OK;
+}
+
+/* All three axes by the ratio of the size asked for to that of the first axis; the place of voxel
+   (0, 0, 0) stays. */
+static void override_voxel_size(const assembly *a, murk_bricks *bricks)
+{
+    if (!(a->options->voxel_size > 0))
+        return;
+    double ratio =
+        a->options->voxel_size / murk_vdb_info(a->volume->vdb, a->extinction)->voxel_size[0];
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++)
+            bricks->index_to_world[4 * row + column] *= ratio;
+}
+
+static murk_status take_extinction(assembly *a)
+{
+    murk_bricks *bricks = &a->parts.kappa_t;
+    const murk_quantity *quantity = &a->options->extinction;
+    murk_status status = murk_vdb_bricks(a->context, a->volume->vdb, a->extinction, bricks);
+    if (status)
+        return status;
+    override_voxel_size(a, bricks);
+    bool constant = !quantity->grid && quantity->value > 0;
+    for (size_t i = 0; i < bricks->count * MURK_BRICK_SLOTS; i++) {
+        float *value = &bricks->values[i];
+        if (!constant)
+            *value *= (float)quantity->scale;
+        else if (*value > 0 && isfinite(*value))
+            *value = (float)quantity->value;
+    }
+    return MURK_OK;
+}
+
+static murk_status take_quantity(assembly *a, const murk_quantity *quantity, const char *name,
+                                 murk_bricks *bricks, double *scale, double *value)
+{
+    *value = quantity->value;
+    *scale = quantity->scale;
+    if (!quantity->grid)
+        return MURK_OK;
+    size_t index;
+    murk_status status = murk_volume_find(a->context, a->volume, quantity->grid, &index);
+    if (!status)
+        status = check_transforms(a, index, name);
+    if (!status)
+        status = murk_vdb_bricks(a->context, a->volume->vdb, index, bricks);
+    if (status)
+        return status;
+    override_voxel_size(a, bricks);
+    if (!bricks->count) /* its background holds everywhere */
+        *value = bricks->background * quantity->scale;
+    return MURK_OK;
+}
+
+murk_status murk_medium_from_volume(murk_context *context, const murk_volume *volume,
+                                    const murk_medium_options *options, murk_medium **out)
+{
+    static const murk_medium_options defaults = MURK_MEDIUM_DEFAULT;
+    assembly a = {.context = context,
+                  .volume = volume,
+                  .options = options ? options : &defaults,
+                  .path = murk_vdb_path(volume->vdb)};
+    murk_medium_parts *parts = &a.parts;
+    char where[800];
+    parts->corner = a.options->corner;
+    parts->strict = a.options->strict;
+    parts->where = where;
+    murk_status status = check_options(&a);
+    if (!status)
+        status = find_extinction(&a);
+    if (!status) {
+        snprintf(where, sizeof where, "%.500s, grid %.250s", a.path,
+                 murk_vdb_info(volume->vdb, a.extinction)->name);
+        status = take_extinction(&a);
+    }
+    if (!status)
+        status = take_quantity(&a, &a.options->albedo, "albedo", &parts->albedo,
+                               &parts->albedo_scale, &parts->albedo_value);
+    if (!status)
+        status = take_quantity(&a, &a.options->emission, "emission", &parts->emission,
+                               &parts->emission_scale, &parts->emission_value);
+    if (!status)
+        return murk_medium_build(context, parts, out);
+    murk_bricks_clear(&parts->kappa_t);
+    murk_bricks_clear(&parts->albedo);
+    murk_bricks_clear(&parts->emission);
+    return status;
+}

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "volume.h"
+
+#include <stdio.h>
+#include <string.h>
+
+murk_status murk_volume_read(murk_context *context, const char *path, murk_volume **out)
+{
+    murk_volume *volume = murk_alloc(1, sizeof *volume);
+    if (!volume)
+        return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
+    volume->context = context;
+    murk_status status = murk_vdb_read(context, path, &volume->vdb);
+    if (status)
+        murk_free(volume);
+    else
+        *out = volume;
+    return status;
+}
+
+void murk_volume_release(murk_volume *volume)
+{
+    if (!volume)
+        return;
+    murk_vdb_release(volume->vdb);
+    murk_free(volume);
+}
+
+size_t murk_volume_grid_count(const murk_volume *volume)
+{
+    return murk_vdb_count(volume->vdb);
+}
+
+murk_status murk_volume_grid_info(const murk_volume *volume, size_t index, murk_grid_info *out)
+{
+    size_t count = murk_vdb_count(volume->vdb);
+    if (index >= count)
+        return murk_fail(volume->context, MURK_ERROR_INPUT, "%s: no grid number %zu; it has %zu",
+                         murk_vdb_path(volume->vdb), index, count);
+    *out = *murk_vdb_info(volume->vdb, index);
+    return MURK_OK;
+}
+
+const char *murk_volume_density(const murk_volume *volume)
+{
+    int64_t index = murk_volume_choose(volume);
+    return index == MURK_NO_GRID ? NULL : murk_vdb_info(volume->vdb, (size_t)index)->name;
+}
+
+bool murk_volume_same_name(const char *label, const char *name)
+{
+    size_t length = strlen(name);
+    if (strncmp(label, name, length))
+        return false;
+    const char *rest = label + length;
+    if (!*rest)
+        return true;
+    size_t digits = *rest == '[' ? strspn(rest + 1, "0123456789") : 0;
+    return digits && !strcmp(rest + 1 + digits, "]");
+}
+
+/* "a, b, c" of the grids, readable ones first. */
+static void list_names(const murk_vdb *vdb, char *out, size_t size)
+{
+    size_t used = 0;
+    out[0] = 0;
+    for (int readable = 1; readable >= 0; readable--)
+        for (size_t i = 0; i < murk_vdb_count(vdb); i++) {
+            const murk_grid_info *info = murk_vdb_info(vdb, i);
+            if (info->readable != (bool)readable || used >= size)
+                continue;
+            used += (size_t)snprintf(out + used, size - used, "%s\"%.100s\"%s", used ? ", " : "",
+                                     info->name, readable ? "" : " (not scalar)");
+        }
+    if (used >= size)
+        memcpy(out + size - 4, "...", 4);
+}
+
+murk_status murk_volume_find(murk_context *context, const murk_volume *volume, const char *name,
+                             size_t *out)
+{
+    const murk_vdb *vdb = volume->vdb;
+    size_t count = murk_vdb_count(vdb), found = count;
+    for (size_t i = 0; i < count && found == count; i++)
+        if (!strcmp(murk_vdb_info(vdb, i)->name, name))
+            found = i;
+    for (size_t i = 0; i < count && found == count; i++)
+        if (murk_volume_same_name(murk_vdb_info(vdb, i)->name, name))
+            found = i;
+    if (found == count) {
+        char names[600];
+        list_names(vdb, names, sizeof names);
+        if (!count)
+            return murk_fail(context, MURK_ERROR_INPUT, "%s: no grid \"%.100s\"; it has no grids",
+                             murk_vdb_path(vdb), name);
+        return murk_fail(context, MURK_ERROR_INPUT, "%s: no grid \"%.100s\"; there are %s",
+                         murk_vdb_path(vdb), name, names);
+    }
+    const murk_grid_info *info = murk_vdb_info(vdb, found);
+    if (!info->readable)
+        return murk_fail(context, MURK_ERROR_INPUT, "%s, grid %s: cannot be used: %s",
+                         murk_vdb_path(vdb), info->name, info->unreadable);
+    *out = found;
+    return MURK_OK;
+}

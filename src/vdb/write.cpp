@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Bricks and grids to a file or stream. */
+#include "vdb.h"
+
+#include "beside.h"
+#include "descriptor.hpp"
+#include "guard.hpp"
+#include "handle.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <openvdb/io/Archive.h>
+#include <ostream>
+
+namespace
+{
+
+/* OpenVDB's own files go by name only; this writes the same to any stream. */
+class archive : public openvdb::io::Archive
+{
+  public:
+    void put(std::ostream &output, const openvdb::GridCPtrVec &grids,
+             const openvdb::MetaMap &metadata, bool seekable) const
+    {
+        Archive::write(output, grids, seekable, metadata);
+    }
+};
+
+/* Removes what is half written, whichever way the writing ends. */
+struct output : murk_beside {
+    output() : murk_beside{nullptr, -1, nullptr, nullptr}
+    {
+    }
+    ~output()
+    {
+        murk_beside_discard(this);
+    }
+    output(const output &) = delete;
+    output &operator=(const output &) = delete;
+};
+
+constexpr float half_max = 65504.0f;
+
+openvdb::math::Transform::Ptr make_transform(const double index_to_world[16])
+{
+    openvdb::Mat4d matrix;
+    for (int row = 0; row < 4; row++)
+        for (int column = 0; column < 4; column++)
+            matrix[column][row] = index_to_world[4 * row + column];
+    return openvdb::math::Transform::createLinearTransform(matrix);
+}
+
+openvdb::FloatGrid::Ptr make_grid(const murk_bricks &bricks)
+{
+    using Leaf = openvdb::FloatTree::LeafNodeType;
+    openvdb::FloatGrid::Ptr grid = openvdb::FloatGrid::create(0.0f);
+    for (size_t b = 0; b < bricks.count; b++) {
+        const int32_t *at = bricks.brick[b];
+        Leaf *leaf = new Leaf(openvdb::Coord(8 * at[0], 8 * at[1], 8 * at[2]), 0.0f, false);
+        grid->tree().addLeaf(leaf);
+        const float *values = bricks.values + b * MURK_BRICK_SLOTS;
+        for (unsigned slot = 0; slot < MURK_BRICK_SLOTS; slot++)
+            if (bricks.mask[b][slot >> 6] >> (slot & 63) & 1)
+                leaf->setValueOn(slot, values[slot]);
+    }
+    grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+    grid->setCreator("murk " MURK_VERSION);
+    return grid;
+}
+
+/* The largest value, for 16-bit floats that end at 65504. */
+float find_maximum(const murk_bricks &bricks)
+{
+    float maximum = 0;
+    for (size_t i = 0; i < bricks.count * MURK_BRICK_SLOTS; i++)
+        maximum = std::fmax(maximum, std::fabs(bricks.values[i]));
+    return maximum;
+}
+
+openvdb::MetaMap make_metadata(const murk_vdb_meta *meta, size_t count)
+{
+    openvdb::MetaMap metadata;
+    for (size_t i = 0; i < count; i++)
+        if (meta[i].text)
+            metadata.insertMeta(meta[i].name, openvdb::StringMetadata(meta[i].text));
+        else
+            metadata.insertMeta(meta[i].name, openvdb::DoubleMetadata(meta[i].number));
+    return metadata;
+}
+
+murk_status put(murk_context *context, const char *path, const openvdb::GridCPtrVec &grids,
+                const openvdb::MetaMap &metadata)
+{
+    output beside;
+    murk_status status = murk_beside_open(context, path, &beside);
+    if (status)
+        return status;
+    murk_descriptor descriptor(beside.file);
+    try {
+        std::ostream stream(&descriptor);
+        stream.exceptions(std::ios::failbit | std::ios::badbit);
+        archive().put(stream, grids, metadata, beside.target != nullptr);
+        stream.flush();
+    } catch (const std::ios_base::failure &) {
+        return murk_fail(context, MURK_ERROR_IO, "%s: cannot be written: %s", beside.where,
+                         std::strerror(descriptor.error()));
+    }
+    return murk_beside_finish(context, &beside);
+}
+
+} // namespace
+
+murk_status murk_vdb_write(murk_context *context, const char *path, const murk_vdb_grid *grids,
+                           size_t grid_count, const murk_vdb_meta *meta, size_t meta_count,
+                           const murk_vdb *transform_of, size_t transform_index,
+                           bool as_half) noexcept
+{
+    const char *where = std::strcmp(path, "-") ? path : "standard output";
+    return murk_guard(context, where, [&]() -> murk_status {
+        openvdb::GridCPtrVec written;
+        for (size_t i = 0; i < grid_count; i++) {
+            const murk_vdb_grid &from = grids[i];
+            if (from.pass) {
+                written.push_back(from.pass->items[from.pass_index].grid);
+                continue;
+            }
+            const float maximum = as_half ? find_maximum(*from.bricks) : 0;
+            if (maximum > half_max)
+                return murk_fail(context, MURK_ERROR_INPUT,
+                                 "%s, grid %s: %g is more than 16-bit floats hold (65504); write "
+                                 "32-bit floats",
+                                 where, from.name, double(maximum));
+            openvdb::FloatGrid::Ptr grid = make_grid(*from.bricks);
+            grid->setName(from.name);
+            grid->setSaveFloatAsHalf(as_half);
+            grid->setTransform(transform_of
+                                   ? transform_of->items[transform_index].grid->transform().copy()
+                                   : make_transform(from.bricks->index_to_world));
+            written.push_back(grid);
+        }
+        return put(context, path, written, make_metadata(meta, meta_count));
+    });
+}

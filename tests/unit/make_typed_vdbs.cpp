@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Writes the odd VDB files that pyopenvdb cannot: make_typed_vdbs FOLDER */
+#include <fstream>
+#include <openvdb/io/Stream.h>
+#include <openvdb/openvdb.h>
+#include <string>
+
+using namespace openvdb;
+
+template <class Grid> typename Grid::Ptr box(const char *name, double value)
+{
+    auto grid = Grid::create();
+    grid->setName(name);
+    for (int i = 0; i < 64; i++)
+        grid->tree().setValue(Coord(i / 16, i / 4 % 4, i % 4),
+                              typename Grid::ValueType(value * (i + 1)));
+    return grid;
+}
+
+static void write(const std::string &path, const GridCPtrVec &grids)
+{
+    io::File(path).write(grids);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2)
+        return 1;
+    const std::string folder = std::string(argv[1]) + "/";
+    initialize();
+    auto density = box<FloatGrid>("density", 1.0 / 64);
+    auto precise = box<DoubleGrid>("density", 1e-3);
+    precise->tree().setValue(Coord(0, 0, 0), 1e300);
+    auto shared = GridBase::Ptr(density->copyGrid());
+    shared->setName("shared");
+    shared->setTransform(math::Transform::createLinearTransform(0.5));
+    const GridCPtrVec several = {density, box<FloatGrid>("density", 2.0), shared,
+                                 box<Int32Grid>("cells", 1.0)};
+    write(folder + "double.vdb", {precise});
+    write(folder + "int32.vdb", {box<Int32Grid>("density", 1.0), box<Int64Grid>("long", 1.0)});
+    write(folder + "instance.vdb", several);
+    std::ofstream stream(folder + "stream.vdb", std::ios::binary);
+    io::Stream(stream).write(several);
+    return 0;
+}
