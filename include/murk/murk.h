@@ -270,7 +270,7 @@ typedef struct murk_scene {
 
 /** A scene that gives a picture with no further thought: a sun from the upper left behind the
  *  camera, a uniform sky, and a ground under the medium (*ground, to be released by the caller)
- *  that holds the medium's shadow and carries a bright square. */
+ *  that holds the medium's shadow and carries a pattern of bright squares. */
 MURK_API murk_status murk_scene_default(murk_context *context, const murk_medium *medium,
                                         murk_up up, murk_scene *scene, murk_ground **ground);
 

@@ -126,7 +126,7 @@ bool cli_options_parse(enum cli_command command, const char *command_name, int c
             if (!parse_option(&parser, count, arguments, &at, out))
                 return false;
         } else if (out->input) {
-            snprintf(message, size, "murk %s takes one INPUT, and \"%s\" is a second", command_name,
+            snprintf(message, size, "%s: takes one INPUT, and \"%s\" is a second", command_name,
                      argument);
             return false;
         } else {
@@ -134,7 +134,7 @@ bool cli_options_parse(enum cli_command command, const char *command_name, int c
         }
     }
     if (!out->input && !out->help) {
-        snprintf(message, size, "murk %s needs an INPUT: a .vdb or .json file, or -", command_name);
+        snprintf(message, size, "%s: needs an INPUT: a .vdb or .json file, or -", command_name);
         return false;
     }
     out->solve.method = out->method == 1 ? MURK_PAIRWISE : MURK_LINES;

@@ -60,7 +60,7 @@ murk_status cli_output_check(struct cli_job *job)
     struct output list[OUTPUT_COUNT];
     list_outputs(job, list);
     if (!job->options->output) {
-        cli_error(&job->terminal, "murk %s needs an output: -o FILE%s", job->command,
+        cli_error(&job->terminal, "%s: needs an output: -o FILE%s", job->command,
                   list[2].kind == RADIOSITY ? ".vdb" : ".exr");
         return MURK_ERROR_INPUT;
     }

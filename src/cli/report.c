@@ -25,7 +25,7 @@ json_t *cli_json_text(const char *text)
 
 void cli_print_json(json_t *object)
 {
-    json_dumpf(object, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+    json_dumpf(object, stdout, 0);
     fputc('\n', stdout);
     json_decref(object);
 }

@@ -53,7 +53,8 @@ static const struct cli_option TABLE[] = {
      .value = cli_value_number, FIELD(voxel_size), POSITIVE},
     {"voxels", 0, CLI_ALL, MEDIUM, "WHERE", "what a voxel's index is: its center or its corner",
      CHOICE(voxels, VOXELS)},
-    {"up", 0, CLI_ALL, MEDIUM, "AXIS", "the axis that points up: z or y", CHOICE(up, UPS)},
+    {"up", 0, CLI_ALL & ~CLI_INFO, MEDIUM, "AXIS", "the axis that points up: z or y",
+     CHOICE(up, UPS)},
     {"strict", 0, CLI_ALL, MEDIUM, NULL, "NaN, infinite and negative values are an error",
      FLAG(strict)},
 

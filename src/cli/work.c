@@ -80,7 +80,7 @@ int cli_render(const struct cli_options *options, const char *command_line)
     struct cli_terminal terminal;
     cli_terminal_init(&terminal, options->quiet, options->verbose);
     if (!options->radiosity) {
-        cli_error(&terminal, "murk render needs --radiosity FILE.vdb, which murk solve writes");
+        cli_error(&terminal, "render: needs --radiosity FILE.vdb, which murk solve writes");
         return 1;
     }
     if (!strcmp(options->radiosity, "-") && !strcmp(options->input, "-")) {

@@ -29,13 +29,6 @@ static double attenuation(const murk_sight *sight, const double (*box)[3], const
     double r = sqrt(*r2);
     for (int a = 0; a < 3; a++)
         d[a] = (q[a] - p[a]) / r;
-    if (sight->ground) {
-        double at_p[3], at_q[3];
-        murk_sight_project(sight, p, at_p);
-        murk_sight_project(sight, q, at_q);
-        if ((at_p[2] < 0) != (at_q[2] < 0)) /* the ground stands between */
-            return 0;
-    }
     if (!murk_box_chord(box[0], box[1], p, d, t_m) || !murk_box_chord(box[2], box[3], p, d, t_k))
         return 0;
     double depth = murk_sight_depth(sight, p, d, t_m[1], t_k[0]);

@@ -53,46 +53,40 @@ void murk_lines_through_clear(murk_lines_through *lines)
     *lines = (murk_lines_through){0};
 }
 
-enum { TO_SKY, TO_PATCH, TO_NOTHING };
+enum { TO_SKY = -3 };
 
-/* Where a ray that leaves p ends, and the distance there. */
-static int ray_end(const murk_sight *sight, const double p[3], const double d[3], double *t)
+/* Where a ray that leaves p for good ends: TO_SKY, or as murk_ground_patch() says. */
+static int64_t ray_end(const murk_sight *sight, const double p[3], const double d[3])
 {
-    *t = INFINITY;
-    if (!sight->ground)
+    double rise = sight->up[0] * d[0] + sight->up[1] * d[1] + sight->up[2] * d[2];
+    if (!sight->ground || rise >= 0)
         return TO_SKY;
     double at[3];
     murk_sight_project(sight, p, at);
-    double rise = sight->up[0] * d[0] + sight->up[1] * d[1] + sight->up[2] * d[2];
-    if (at[2] < 0) { /* below the ground */
-        if (rise > 0)
-            *t = -at[2] / rise;
-        return TO_NOTHING;
-    }
-    if (rise >= 0)
-        return TO_SKY;
-    *t = -at[2] / rise;
-    double hit[3];
-    const double end[3] = {p[0] + *t * d[0], p[1] + *t * d[1], p[2] + *t * d[2]};
-    murk_sight_project(sight, end, hit);
-    return murk_ground_patch(sight->ground, hit[0], hit[1]) >= 0 ? TO_PATCH : TO_NOTHING;
+    double t = -at[2] / rise;
+    const double end[3] = {p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2]};
+    murk_sight_project(sight, end, at);
+    return murk_ground_patch(sight->ground, at[0], at[1]);
 }
 
-static void tally_end(murk_near *near, int end, double light)
+static void tally_end(murk_near *near, int64_t end, double light)
 {
     if (end == TO_SKY)
         near->up += light;
-    else if (end == TO_NOTHING)
+    else if (end < 0)
         near->down += light;
+    else if (near->patch)
+        near->patch[end] += light;
 }
 
+/* Takes the light of a ray from zone to zone; returns what leaves the medium. */
 static double follow(const murk_sight *sight, const int32_t cell[3], const double p[3],
-                     const double d[3], double t0, double t1, double light, murk_near *near)
+                     const double d[3], double t0, double light, murk_near *near)
 {
     const murk_grid *grid = sight->grid;
     murk_walk walk;
     murk_step step;
-    murk_walk_start(&walk, grid, p, d, t0, t1);
+    murk_walk_start(&walk, grid, p, d, t0, INFINITY);
     while (murk_walk_next(&walk, &step) && light > 1e-9) {
         double kappa = sight->kappa_t[(size_t)step.brick * MURK_BRICK_SLOTS + (size_t)step.slot];
         if (kappa <= 0)
@@ -138,22 +132,21 @@ void murk_near_trace(const murk_sight *sight, const murk_lines_through *lines,
     size_t count = murk_near_count(near->reach);
     memset(near->length, 0, count * sizeof *near->length);
     memset(near->caught, 0, count * sizeof *near->caught);
+    size_t patches = near->patch ? sight->ground->patch_count : 0;
+    if (patches)
+        memset(near->patch, 0, patches * sizeof *near->patch);
     near->self = near->chord = near->up = near->down = 0;
     for (size_t i = 0; i < lines->count; i++) {
         const double *d = lines->direction[i];
         double p[3], t[2];
         chord_in_cell(sight, lines, i, cell, p, t);
+        double chord = kappa * (t[1] - t[0]), escape = murk_chord_escape(chord);
+        near->self += 2 * (1 - escape);
+        near->chord += chord;
         for (int way = 0; way < 2; way++) {
             const double to[3] = {way ? -d[0] : d[0], way ? -d[1] : d[1], way ? -d[2] : d[2]};
-            double stop, exit = way ? -t[0] : t[1], entry = way ? t[1] : -t[0];
-            int end = ray_end(sight, p, to, &stop);
-            double length = fmin(exit, stop) + entry; /* the ground may cut the zone */
-            double escape = murk_chord_escape(kappa * length);
-            near->self += 1 - escape;
-            near->chord += kappa * length / 2;
-            double light = stop > exit ? follow(sight, cell, p, to, exit, stop, escape, near)
-                                       : escape;
-            tally_end(near, end, light);
+            double light = follow(sight, cell, p, to, way ? -t[0] : t[1], escape, near);
+            tally_end(near, ray_end(sight, p, to), light);
         }
     }
     double share = 0.5 / (double)lines->count;
@@ -161,6 +154,8 @@ void murk_near_trace(const murk_sight *sight, const murk_lines_through *lines,
     near->chord *= share;
     near->up *= share;
     near->down *= share;
+    for (size_t i = 0; i < patches; i++)
+        near->patch[i] *= share;
 }
 
 void murk_near_escape(const murk_sight *sight, const murk_lines_through *lines,
@@ -174,10 +169,8 @@ void murk_near_escape(const murk_sight *sight, const murk_lines_through *lines,
         double escape = murk_chord_escape(sight->kappa_uniform * (t[1] - t[0]));
         for (int way = 0; way < 2; way++) {
             const double to[3] = {way ? -d[0] : d[0], way ? -d[1] : d[1], way ? -d[2] : d[2]};
-            double stop, exit = way ? -t[0] : t[1];
-            int end = ray_end(sight, p, to, &stop);
-            double depth = murk_sight_depth(sight, p, to, exit, stop);
-            tally_end(near, end, escape * exp(-depth));
+            double depth = murk_sight_depth(sight, p, to, way ? -t[0] : t[1], INFINITY);
+            tally_end(near, ray_end(sight, p, to), escape * exp(-depth));
         }
     }
     double share = 0.5 / (double)lines->count;

@@ -25,7 +25,8 @@ typedef struct murk_near {
     double self;    /* mean share that the zone takes of its own light */
     double chord;   /* mean of half the optical length of the chords: self in a thin zone */
     double up;      /* share that leaves upwards, or everywhere without a ground */
-    double down;    /* share that meets the ground beside the patches, or its underside */
+    double down;    /* share that meets the ground beside the patches */
+    double *patch;  /* share that meets each patch; NULL: not asked for */
 } murk_near;
 
 static inline size_t murk_near_count(const int reach[3])

@@ -52,9 +52,8 @@ static double transmitted(const view *v, const double p[3], double x, double y, 
         d[a] = (sight->a[a] * x + sight->b[a] * y - sight->up[a] * h) / r;
     if (!murk_box_chord(v->lo, v->hi, p, d, t))
         return 0;
-    double exit = fmin(t[1], r); /* the ground may cut the zone */
-    return murk_chord_escape(v->kappa * (exit - t[0])) *
-           exp(-murk_sight_depth(sight, p, d, exit, r));
+    return murk_chord_escape(v->kappa * (t[1] - t[0])) *
+           exp(-murk_sight_depth(sight, p, d, t[1], r));
 }
 
 static double from_point(const view *v, const double p[3])
@@ -62,8 +61,6 @@ static double from_point(const view *v, const double p[3])
     double at[3];
     murk_sight_project(v->sight, p, at);
     double h = at[2];
-    if (h <= 0)
-        return 0;
     const double x[2] = {v->a[0] - at[0], v->a[1] - at[0]};
     const double y[2] = {v->b[0] - at[1], v->b[1] - at[1]};
     double near_x = nearest(x), near_y = nearest(y);

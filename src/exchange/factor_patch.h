@@ -5,7 +5,8 @@
 
 #include "sight.h"
 
-/* V_kS_i of [BG91] eqs. (4), (6) for the zone at a cell and a patch of sight->ground [m^2]. */
+/* V_kS_i of [BG91] eqs. (4), (6) for the zone at a cell, all of it above the ground, and a patch of
+   sight->ground [m^2]. */
 double murk_patch_factor(const murk_sight *sight, const int32_t cell[3], double kappa,
                          size_t patch);
 

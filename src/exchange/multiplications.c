@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "pairwise.h"
+#include "multiplications.h"
 
 double murk_multiplications_full(const double n[3])
 {

@@ -97,14 +97,16 @@ static double kappa_of(const murk_pairwise *p, size_t zone)
 static void near_row(murk_pairwise *p, const geometry *g, const murk_lines_through *lines, size_t m,
                      murk_near *near, double *up, double *down)
 {
-    double kappa = kappa_of(p, m), volume = p->sight.grid->volume;
+    double kappa = kappa_of(p, m);
     int offset[3] = {0, 0, 0};
     float *row = p->matrix + m * p->zones;
     murk_near_trace(&p->sight, lines, p->cell[m], kappa, near);
     double thin = kappa * kappa * geometry_factor(g, offset);
     p->self[m] = near->chord > 0 ? thin * near->self / near->chord : thin;
-    *up = 4 * kappa * volume * near->up;
-    *down = 4 * kappa * volume * near->down;
+    *up = p->weight[m] * near->up;
+    *down = p->weight[m] * near->down;
+    for (size_t i = 0; near->patch && i < p->other_count; i++)
+        p->other_matrix[m * p->other_count + i] = (float)(p->weight[m] * near->patch[p->other[i]]);
     for (size_t k = 0; k < p->zones; k++) {
         pair_offset(p, m, k, offset);
         if (k == m || !is_near(g->size, offset))
@@ -198,7 +200,7 @@ static bool close_rows(murk_pairwise *p, double *up, double *down)
 static bool fill(murk_context *context, murk_pairwise *p, const geometry *g,
                  const murk_lines_through *lines, double *up, double *down)
 {
-    bool complete = true;
+    bool complete = true, cut = p->sight.clearance < 0;
     size_t done = 0;
 #pragma omp parallel num_threads(p->threads)
     {
@@ -206,7 +208,8 @@ static bool fill(murk_context *context, murk_pairwise *p, const geometry *g,
         set_reach(p->sight.grid, NEAR, near.reach);
         near.length = murk_alloc(murk_near_count(near.reach), sizeof(double));
         near.caught = murk_alloc(murk_near_count(near.reach), sizeof(double));
-        if (!near.length || !near.caught)
+        near.patch = cut ? murk_alloc(p->patches, sizeof(double)) : NULL;
+        if (!near.length || !near.caught || (cut && !near.patch))
 #pragma omp atomic write
             complete = false;
 #pragma omp barrier
@@ -230,6 +233,7 @@ static bool fill(murk_context *context, murk_pairwise *p, const geometry *g,
         }
         murk_free(near.length);
         murk_free(near.caught);
+        murk_free(near.patch);
     }
     return complete;
 }

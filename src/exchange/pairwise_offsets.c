@@ -31,6 +31,9 @@ void murk_offsets_clear(murk_offsets *offsets)
     murk_free(offsets->aligned);
     murk_free(offsets->cell);
     murk_free(offsets->patch_at);
+    murk_free(offsets->aligned_at);
+    murk_free(offsets->in);
+    murk_free(offsets->out);
     *offsets = (murk_offsets){0};
 }
 
@@ -55,22 +58,15 @@ static int32_t lattice_column(const murk_sight *s, const double v[3], double ori
     return column >= 0 && (column + 1) * size < s->box[axis] * (1 + 1e-9) ? (int32_t)column : -1;
 }
 
-/* Parts the patches into those by offset and the others; *gap is the height of the medium. */
-static void sort_patches(murk_pairwise *p, double *gap)
+/* Parts the patches into those by offset and the others. */
+static void sort_patches(murk_pairwise *p)
 {
     murk_offsets *o = &p->offsets;
     const murk_sight *s = &p->sight;
     const murk_ground *ground = s->ground;
     int axis_a = lattice_axis(s->a), axis_b = lattice_axis(s->b), up = lattice_axis(s->up);
     bool possible = axis_a >= 0 && axis_b >= 0 && up >= 0;
-    *gap = 0;
-    if (possible) {
-        *gap = s->origin[2] + fmin(0, s->up[up] * s->box[up]);
-        double tiny = 1e-5 * s->grid->voxel[up];
-        possible = *gap > -tiny;
-        *gap = *gap < tiny ? 0 : *gap;
-        o->up = up;
-    }
+    o->up = up;
     for (size_t i = 0; i < p->patches; i++) {
         size_t ia = i % (size_t)ground->count[0], ib = i / (size_t)ground->count[0];
         int32_t ca = possible ? lattice_column(s, s->a, s->origin[0], axis_a, ground->edge[0] + ia)
@@ -78,13 +74,15 @@ static void sort_patches(murk_pairwise *p, double *gap)
         int32_t cb = possible ? lattice_column(s, s->b, s->origin[1], axis_b, ground->edge[1] + ib)
                               : -1;
         if (ca < 0 || cb < 0) {
-            p->other[p->other_count++] = i;
+            o->aligned_at[i] = -1;
+            murk_pairwise_add_other(p, i);
             continue;
         }
         int32_t *cell = o->cell[o->aligned_count];
         cell[axis_a] = ca;
         cell[axis_b] = cb;
         cell[up] = 0;
+        o->aligned_at[i] = (int64_t)o->aligned_count;
         o->aligned[o->aligned_count++] = i;
         const int32_t m[3] = {up == 0 ? 1 : o->n[0], up == 1 ? 1 : o->n[1], up == 2 ? 1 : o->n[2]};
         o->patch_at[((size_t)cell[0] * (size_t)m[1] + (size_t)cell[1]) * (size_t)m[2] +
@@ -108,7 +106,7 @@ static void fill_zone_table(murk_pairwise *p)
     }
 }
 
-static void fill_patch_table(murk_pairwise *p, double gap)
+static void fill_patch_table(murk_pairwise *p)
 {
     murk_offsets *o = &p->offsets;
     const double *voxel = p->sight.grid->voxel;
@@ -120,7 +118,7 @@ static void fill_patch_table(murk_pairwise *p, double gap)
     for (int32_t i = 0; i < o->n[0] * o->n[1] * o->n[2]; i++) {
         const int at[3] = {i / (o->n[1] * o->n[2]), i / o->n[2] % o->n[1], i % o->n[2]};
         const int offset[3] = {at[a], at[b], turned ? o->n[up] - 1 - at[up] : at[up]};
-        double factor = kappa * murk_factor_offset_patch(size, offset, gap, kappa);
+        double factor = kappa * murk_factor_offset_patch(size, offset, p->sight.clearance, kappa);
         double *row = o->patch + (size_t)(i / o->n[2]) * stride(o);
         if (up == 2)
             row[at[2]] = factor;
@@ -129,8 +127,7 @@ static void fill_patch_table(murk_pairwise *p, double gap)
     }
 }
 
-/* Multiplies both tables by the window; zones count at all heights over a patch. */
-static void apply_window(murk_pairwise *p)
+void murk_offsets_window(murk_pairwise *p)
 {
     murk_offsets *o = &p->offsets;
     for (int a = 0; a < 3; a++)
@@ -185,20 +182,21 @@ static bool sum_zone_table(const murk_offsets *o, double *sum)
  * the quadrature (1e-8 deep in a thick medium, where nothing should be left), and would let light
  * grow at each scattering; so the factors are scaled down by it.
  */
-static murk_status set_escape(murk_context *context, murk_pairwise *p)
+murk_status murk_offsets_escape(murk_context *context, murk_pairwise *p)
 {
     murk_offsets *o = &p->offsets;
     murk_lines_through lines = {0};
-    double *ones = p->x, *patch_ones = p->px, most = 0;
+    double *zeros = p->x, *patch_ones = p->px, most = 0;
     double *sum = murk_alloc(p->zones, sizeof *sum), *zone_sum = p->y;
     if (!sum || !sum_zone_table(o, sum)) {
         murk_free(sum);
         return murk_fail(context, MURK_ERROR_MEMORY, "pairwise: out of memory for row sums");
     }
-    memset(ones, 0, p->zones * sizeof *ones);
+    memset(zeros, 0, p->zones * sizeof *zeros);
+    memset(zone_sum, 0, p->zones * sizeof *zone_sum);
     for (size_t i = 0; i < p->patches; i++)
         patch_ones[i] = 1;
-    murk_offsets_patches(p, ones, patch_ones, zone_sum, p->py);
+    murk_offsets_patches(p, zeros, patch_ones, zone_sum, p->py);
     for (size_t c = 0; c < p->zones; c++) {
         zone_sum[o->number[c]] += sum[c];
         most = fmax(most, zone_sum[o->number[c]] / p->weight[o->number[c]]);
@@ -250,8 +248,12 @@ murk_status murk_pairwise_offsets(murk_context *context, murk_pairwise *p)
     o->aligned = murk_alloc(p->patches, sizeof *o->aligned);
     o->cell = murk_alloc(p->patches, sizeof *o->cell);
     o->patch_at = murk_alloc(p->zones, sizeof *o->patch_at);
+    o->aligned_at = murk_alloc(p->patches, sizeof *o->aligned_at);
+    o->in = murk_alloc(p->zones, sizeof *o->in);
+    o->out = murk_alloc(p->zones, sizeof *o->out);
     murk_status memory = MURK_ERROR_MEMORY;
-    if (!o->number || !o->zone || !o->aligned || !o->cell || !o->patch_at)
+    if (!o->number || !o->zone || !o->aligned || !o->cell || !o->patch_at ||
+        !o->aligned_at || !o->in || !o->out)
         return murk_fail(context, memory, "pairwise: out of memory for %zu zones", p->zones);
     for (size_t k = 0; k < p->zones; k++) {
         const int32_t *c = p->cell[k];
@@ -259,14 +261,13 @@ murk_status murk_pairwise_offsets(murk_context *context, murk_pairwise *p)
                   (size_t)c[2]] = k;
         o->patch_at[k] = -1;
     }
-    double gap;
-    sort_patches(p, &gap);
+    sort_patches(p);
     fill_zone_table(p);
     if (o->up >= 0) {
         o->patch = murk_alloc(table_count(o), sizeof *o->patch);
         if (!o->patch)
             return murk_fail(context, memory, "pairwise: out of memory for %zu zones", p->zones);
-        fill_patch_table(p, gap);
+        fill_patch_table(p);
     }
     return MURK_OK;
 }

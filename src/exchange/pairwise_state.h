@@ -20,7 +20,9 @@ typedef struct murk_offsets {
     size_t aligned_count;
     size_t *aligned;     /* their numbers */
     int32_t (*cell)[3];  /* their lattice cells; 0 on the vertical axis */
-    int64_t *patch_at;   /* number of the patch of a column, or -1: same shape as n with 1 for up */
+    int64_t *patch_at;   /* patch number of a column, or -1; numbered like cells, with 1 for n[up] */
+    int64_t *aligned_at; /* of each patch: where it stands in aligned, or -1 */
+    double *in, *out;    /* zones in the order of cells */
 } murk_offsets;
 
 typedef struct murk_pairwise {
@@ -40,6 +42,7 @@ typedef struct murk_pairwise {
     float *matrix;       /* zones x zones without the self-factors, or NULL: by offset */
     size_t other_count;
     size_t *other;       /* patches that are not by offset */
+    int64_t *other_at;   /* of each patch: where it stands in other, or -1 */
     float *other_matrix; /* zones x other_count */
     murk_offsets offsets;
     double *x, *y;       /* zones: radiosities and sums of one application */
@@ -49,25 +52,26 @@ typedef struct murk_pairwise {
 /* Share of a zone or patch that lies in the window of [BG91] eq. (19): d cells away on axis a. */
 double murk_window_weight(const murk_pairwise *p, int axis, double d);
 
-/* The part of the medium's index axis a in the window over the ground: all heights count. */
-int murk_vertical_axis(const murk_sight *sight);
+/* Puts a patch into other. */
+void murk_pairwise_add_other(murk_pairwise *p, size_t patch);
 
-/* Factors zone by zone: matrix, self, sky, horizon. */
+/* Factors zone by zone: matrix, self, sky, horizon; other_matrix is there already. */
 murk_status murk_pairwise_dense(murk_context *context, murk_pairwise *p);
 
-/* Factors by offset, with the rest of the patches in p->other. */
+/* Factors by offset; patches they do not reach are put into other. */
 murk_status murk_pairwise_offsets(murk_context *context, murk_pairwise *p);
+/* sky and horizon from what the rows lack to 4 kappa V; other_matrix is there already. */
+murk_status murk_offsets_escape(murk_context *context, murk_pairwise *p);
+/* Cuts the window out of the factors; zones count at all heights over a patch. */
+void murk_offsets_window(murk_pairwise *p);
 void murk_offsets_clear(murk_offsets *offsets);
 
-/* Patches p->other[0..count) zone by zone, without the window. */
-murk_status murk_pairwise_others(murk_context *context, murk_pairwise *p);
-/* Sets what lies outside the window in matrix and other_matrix to 0. */
-void murk_pairwise_cut_others(murk_pairwise *p);
-
-/* Sums over the factors by offset; y and py are overwritten, the others of py left alone. */
-void murk_offsets_apply(const murk_pairwise *p, const double *x, const double *px, double *y,
-                        double *py);
-/* One row of them, without the self-factor. */
+/* y[zone] = sum of V_mV_k x[m], self-factors included. */
+void murk_offsets_zones(const murk_pairwise *p, const double *x, double *y);
+/* y[zone] += sum of S_iV_k px[i]; py[i] = sum of V_kS_i x[k] for the patches by offset. */
+void murk_offsets_patches(const murk_pairwise *p, const double *x, const double *px, double *y,
+                          double *py);
+/* One row of them: over zones, without the self-factor, and patches; x as in row(). */
 double murk_offsets_row(const murk_pairwise *p, size_t element, const double *x);
 
 #endif

@@ -33,6 +33,14 @@ void murk_sight_init(murk_sight *sight, const murk_medium *medium, const murk_gr
         sight->origin[c] = grid->corner[axis[c]];
     }
     sight->origin[2] -= ground->height;
+    sight->clearance = sight->origin[2];
+    double height = 0;
+    for (int a = 0; a < 3; a++) {
+        sight->clearance += fmin(0, sight->up[a] * sight->box[a]);
+        height += fabs(sight->up[a] * grid->voxel[a]);
+    }
+    if (fabs(sight->clearance) < 1e-5 * height) /* rounding of a ground that touches the zones */
+        sight->clearance = 0;
 }
 
 double murk_sight_depth(const murk_sight *sight, const double origin[3], const double direction[3],

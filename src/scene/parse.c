@@ -54,22 +54,27 @@ static bool read_medium(struct scene_reader *reader, const json_t *value, void *
     return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
 }
 
+static bool read_direction(struct scene_reader *reader, const json_t *value, void *field,
+                           const struct scene_key *key)
+{
+    const double *d = field;
+    if (!scene_read_vector(reader, value, field, key))
+        return false;
+    if (d[0] == 0.0 && d[1] == 0.0 && d[2] == 0.0)
+        return scene_fail(reader, "[0, 0, 0] is no direction of travel");
+    return true;
+}
+
 static bool read_sun(struct scene_reader *reader, const json_t *value, void *field,
                      const struct scene_key *key)
 {
     static const struct scene_key KEYS[] = {
-        {"direction", scene_read_vector, FIELD(sun.direction)},
+        {"direction", read_direction, FIELD(sun.direction)},
         {"irradiance", scene_read_number, FIELD(sun.irradiance), NOT_NEGATIVE},
     };
-    struct scene_description *description = field;
     (void)key;
-    description->sun_named = true;
-    if (!scene_read_object(reader, value, KEYS, COUNT(KEYS), field))
-        return false;
-    const double *d = description->sun.direction;
-    if (d[0] == 0.0 && d[1] == 0.0 && d[2] == 0.0)
-        return scene_fail(reader, "direction: [0, 0, 0] is no direction of travel");
-    return true;
+    ((struct scene_description *)field)->sun_named = true;
+    return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
 }
 
 static bool read_sky(struct scene_reader *reader, const json_t *value, void *field,

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "blocks.h"
+
+/* First voxel and number of voxels that a neighbour at -1, 0, +1 lends to the block. */
+static const int FROM[3] = {7, 0, 0}, COUNT[3] = {1, 8, 1}, TO[3] = {0, 1, 9};
+
+static void fill_block(const murk_solution *solution, const int32_t brick[3], float *block)
+{
+    for (int n = 0; n < 27; n++) {
+        const int d[3] = {n / 9, n / 3 % 3, n % 3};
+        int32_t b = murk_grid_find(solution->grid, brick[0] + d[0] - 1, brick[1] + d[1] - 1,
+                                   brick[2] + d[2] - 1);
+        if (b == MURK_NO_BRICK)
+            continue;
+        const float *values = solution->radiosity + (size_t)b * MURK_BRICK_SLOTS;
+        for (int x = 0; x < COUNT[d[0]]; x++)
+            for (int y = 0; y < COUNT[d[1]]; y++)
+                for (int z = 0; z < COUNT[d[2]]; z++)
+                    block[((TO[d[0]] + x) * MURK_BLOCK_EDGE + TO[d[1]] + y) * MURK_BLOCK_EDGE +
+                          TO[d[2]] + z] =
+                        values[(FROM[d[0]] + x) * 64 + (FROM[d[1]] + y) * 8 + FROM[d[2]] + z];
+    }
+}
+
+float *murk_blocks_create(murk_context *context, const murk_solution *solution)
+{
+    const murk_grid *grid = solution->medium->grid;
+    float *blocks = murk_alloc(grid->brick_count * MURK_BLOCK_SLOTS, sizeof *blocks);
+    if (!blocks)
+        return NULL;
+#pragma omp parallel for num_threads(context->threads) schedule(static)
+    for (size_t b = 0; b < grid->brick_count; b++)
+        fill_block(solution, grid->brick[b], blocks + b * MURK_BLOCK_SLOTS);
+    return blocks;
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The camera as a set of rays. */
+#ifndef MURK_RENDER_VIEW_H
+#define MURK_RENDER_VIEW_H
+
+#include "context.h"
+
+typedef struct murk_view {
+    double eye[3];
+    double forward[3], right[3], up[3]; /* unit vectors */
+    double half_width, half_height;     /* of the picture at distance 1 */
+    int size[2];
+} murk_view;
+
+/* Fails for a camera without direction, a zero-size picture or a field of view outside (0, 180). */
+murk_status murk_view_create(murk_context *context, const murk_camera *camera, murk_view *out);
+
+/* Unit vector through the picture point (x, y) in pixels from the top left. */
+void murk_view_ray(const murk_view *view, double x, double y, double direction[3]);
+
+#endif

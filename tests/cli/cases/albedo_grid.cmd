@@ -1,0 +1,1 @@
+murk image fixtures/albedo.vdb --albedo bad -o a.exr

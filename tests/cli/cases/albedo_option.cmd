@@ -1,0 +1,1 @@
+murk image fixtures/puff.vdb --albedo 1.5 -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/albedo.json -o a.exr

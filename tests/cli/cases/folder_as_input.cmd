@@ -1,0 +1,1 @@
+murk image fixtures/ -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/frustum.vdb -o a.exr

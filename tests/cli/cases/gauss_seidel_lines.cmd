@@ -1,0 +1,1 @@
+murk solve fixtures/puff.vdb -o r.vdb --solver gauss-seidel

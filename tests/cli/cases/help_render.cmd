@@ -1,0 +1,1 @@
+murk render --help

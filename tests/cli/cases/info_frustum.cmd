@@ -1,0 +1,1 @@
+murk info fixtures/frustum.vdb

@@ -1,0 +1,1 @@
+murk info volumes/plume128_f038.vdb

@@ -1,0 +1,1 @@
+murk info - <fixtures/puff.vdb | tail -1

@@ -1,0 +1,1 @@
+murk image fixtures/missing.vdb -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/missing.json -o a.exr

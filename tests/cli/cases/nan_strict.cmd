@@ -1,0 +1,1 @@
+murk image fixtures/nan.vdb --strict -o a.exr

@@ -1,0 +1,1 @@
+murk solve fixtures/negative.vdb --strict -o a.vdb

@@ -1,0 +1,1 @@
+murk image -o a.exr

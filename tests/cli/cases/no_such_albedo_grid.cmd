@@ -1,0 +1,1 @@
+murk image fixtures/puff.vdb --albedo glow -o a.exr

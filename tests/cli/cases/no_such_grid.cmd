@@ -1,0 +1,1 @@
+murk image fixtures/puff.vdb --grid smoke -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/text.vdb -o a.exr

@@ -1,0 +1,1 @@
+murk solve - -o a.vdb <fixtures/text.vdb

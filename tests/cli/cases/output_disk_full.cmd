@@ -1,0 +1,2 @@
+ulimit -f 0; trap "" XFSZ
+murk solve fixtures/puff.vdb -q -o a.vdb

@@ -1,0 +1,1 @@
+script -qec 'murk solve fixtures/puff.vdb -o -' /dev/null

@@ -1,0 +1,1 @@
+murk render - --radiosity - -o a.exr

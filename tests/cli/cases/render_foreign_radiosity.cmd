@@ -1,0 +1,1 @@
+murk render fixtures/puff.vdb --radiosity fixtures/albedo.vdb -o a.exr

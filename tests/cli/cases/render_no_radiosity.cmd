@@ -1,0 +1,1 @@
+murk render fixtures/puff.vdb -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/extent.json -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/eye_target.json -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/fov.json -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/no_image.json -o a.exr

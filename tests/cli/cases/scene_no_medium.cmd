@@ -1,0 +1,1 @@
+murk image fixtures/no_medium.json -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/no_volume.json -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/sun_direction.json -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/syntax.json -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/type.json -o a.exr

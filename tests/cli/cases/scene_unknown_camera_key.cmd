@@ -1,0 +1,1 @@
+murk image fixtures/unknown_camera.json -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/unknown_medium.json -o a.exr

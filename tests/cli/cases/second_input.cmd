@@ -1,0 +1,1 @@
+murk image fixtures/puff.vdb fixtures/nan.vdb -o a.exr

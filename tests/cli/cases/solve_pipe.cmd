@@ -1,0 +1,1 @@
+murk solve - -q -o - <fixtures/puff.vdb | murk info - | tail -1

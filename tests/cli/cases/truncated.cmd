@@ -1,0 +1,1 @@
+murk image fixtures/truncated.vdb -o a.exr

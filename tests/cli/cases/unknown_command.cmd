@@ -1,0 +1,1 @@
+murk imgae fixtures/puff.vdb -o a.exr

@@ -1,0 +1,1 @@
+murk image fixtures/zero_size.json -o a.exr

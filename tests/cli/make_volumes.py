@@ -1,0 +1,85 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Writes the small volumes and scenes that the command-line cases read into a folder."""
+import json
+import math
+import os
+import sys
+
+import pyopenvdb as vdb
+
+EDGE = 8
+folder = sys.argv[1]
+os.makedirs(folder, exist_ok=True)
+
+
+def path(name):
+    return os.path.join(folder, name)
+
+
+def grid(name, value, transform=None):
+    """A float grid over EDGE^3 voxels of 0.1 m; value is a function of the distance to the middle."""
+    result = vdb.FloatGrid()
+    result.name = name
+    result.transform = transform or vdb.createLinearTransform(voxelSize=0.1)
+    accessor = result.getAccessor()
+    for i in range(EDGE):
+        for j in range(EDGE):
+            for k in range(EDGE):
+                r = math.dist((i, j, k), (3.5, 3.5, 3.5)) / 4
+                if r < 1.1:
+                    accessor.setValueOn((i, j, k), value(r))
+    return result
+
+
+def smoke(r):
+    return 4 * (1.2 - r)
+
+
+def with_one(value):
+    result = grid("density", smoke)
+    result.getAccessor().setValueOn((3, 3, 3), value)
+    return result
+
+
+vdb.write(path("puff.vdb"), grids=[grid("density", smoke)])
+vdb.write(path("albedo.vdb"), grids=[grid("density", smoke), grid("good", lambda r: 0.8),
+                                     grid("bad", lambda r: 1.5)])
+vdb.write(path("nan.vdb"), grids=[with_one(math.nan)])
+vdb.write(path("negative.vdb"), grids=[with_one(-1.0)])
+empty = vdb.FloatGrid()
+empty.name = "density"
+vdb.write(path("empty.vdb"), grids=[empty])
+frustum = vdb.createFrustumTransform(taper=0.5, depth=1.0, xyzMin=(0, 0, 0), xyzMax=(8, 8, 8))
+vdb.write(path("frustum.vdb"), grids=[grid("density", smoke, frustum)])
+
+with open(path("puff.vdb"), "rb") as whole, open(path("truncated.vdb"), "wb") as part:
+    part.write(whole.read()[:-400])
+with open(path("text.vdb"), "w") as text:
+    text.write("solid cube\n" * 40)
+
+
+def scene(name, **keys):
+    with open(path(name), "w") as out:
+        json.dump({"medium": {"file": "puff.vdb"}, **keys}, out)
+
+
+scene("puff.json", sun={"direction": [0.4, 0.3, -0.87], "irradiance": 1.0}, sky={"radiance": 0.1},
+      ground={"extent": [[-1, -1], [2, 2]], "patches": [12, 12], "reflectance": 0.4},
+      camera={"eye": [3, -3, 2], "target": [0.35, 0.35, 0.3], "fov": 35, "size": [40, 30]})
+scene("unknown_top.json", grund={})
+scene("unknown_camera.json", camera={"fow": 40})
+scene("unknown_medium.json", medium={"file": "puff.vdb", "extinction": {"grid": "density", "scael": 2}})
+scene("no_medium.json", medium=None)
+scene("fov.json", camera={"fov": 190})
+scene("zero_size.json", camera={"size": [0, 480]})
+scene("sun_direction.json", sun={"direction": [0, 0, 0]})
+scene("albedo.json", medium={"file": "puff.vdb", "albedo": 1.5})
+scene("extent.json", ground={"extent": [[1, 0], [0, 1]]})
+scene("type.json", sky={"radiance": "bright"})
+scene("eye_target.json", camera={"eye": [1, 2, 3], "target": [1, 2, 3]})
+scene("no_image.json", ground={"reflectance": "missing.exr"})
+scene("no_volume.json", medium={"file": "missing.vdb"})
+scene("no_ground.json", sky={"radiance": 0.1})
+with open(path("syntax.json"), "w") as text:
+    text.write('{"medium": {"file": "puff.vdb"},\n "sun": }\n')
