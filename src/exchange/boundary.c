@@ -3,7 +3,8 @@
 
 #include <math.h>
 
-enum { MOST_SAMPLES = 16 };
+/* A footprint has samples no further apart than a patch, up to this many a side. */
+enum { MOST_SAMPLES = 8 };
 
 /* The world displacement of one step of the line number along a grid axis, carried along the
    lines onto the ground plane. */
@@ -48,7 +49,7 @@ void murk_boundary_lay(murk_boundary *boundary, const murk_grid *grid, const mur
     double patch = fmin(edge_a[1] - edge_a[0], edge_b[1] - edge_b[0]);
     const double *span[2] = {boundary->per_u, boundary->per_v};
     for (int c = 0; c < 2; c++) {
-        double samples = ceil(2 * lattice->span * hypot(span[c][0], span[c][1]) / patch);
+        double samples = ceil(lattice->span * hypot(span[c][0], span[c][1]) / patch);
         boundary->samples[c] = samples < 1 ? 1 : samples > MOST_SAMPLES ? MOST_SAMPLES
                                                                        : (int)samples;
     }
@@ -101,7 +102,7 @@ void murk_boundary_enter(const murk_boundary *boundary, const murk_lattice *latt
 }
 
 double murk_boundary_leave(const murk_boundary *boundary, const murk_lattice *lattice,
-                           const murk_incoming *incoming, const float *plane, ptrdiff_t stride,
+                           const float *before, const float *after, ptrdiff_t stride,
                            double power_per_line, double *patch_power)
 {
     int32_t width = lattice->ray_hi[0] - lattice->ray_lo[0];
@@ -110,8 +111,7 @@ double murk_boundary_leave(const murk_boundary *boundary, const murk_lattice *la
     double lost = 0;
     for (int32_t v = 0; v < height; v++)
         for (int32_t u = 0; u < width; u++) {
-            int32_t ru = lattice->ray_lo[0] + u, rv = lattice->ray_lo[1] + v;
-            double change = plane[v * stride + u] - (float)bring(boundary, incoming, ru, rv);
+            double change = (double)after[v * stride + u] - before[v * stride + u];
             if (change == 0)
                 continue;
             lost -= change;
@@ -119,7 +119,7 @@ double murk_boundary_leave(const murk_boundary *boundary, const murk_lattice *la
                 continue;
             double share = power_per_line * change /
                            (boundary->samples[0] * boundary->samples[1]);
-            FOR_SAMPLES(boundary, ru, rv, patch)
+            FOR_SAMPLES(boundary, lattice->ray_lo[0] + u, lattice->ray_lo[1] + v, patch)
             {
                 if (patch >= 0)
                     patch_power[patch] += share;

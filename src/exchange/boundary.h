@@ -34,9 +34,10 @@ void murk_boundary_enter(const murk_boundary *boundary, const murk_lattice *latt
                          const murk_incoming *incoming, float *plane, ptrdiff_t stride);
 
 /* Adds power_per_line * (I_out - I_in) of each line that ends on the ground to its patches [W], and
-   returns the sum over all lines of power_per_line * (I_in - I_out). */
+   returns the sum over all lines of power_per_line * (I_in - I_out); before and after are planes as
+   murk_boundary_enter() filled them and as the medium left them. */
 double murk_boundary_leave(const murk_boundary *boundary, const murk_lattice *lattice,
-                           const murk_incoming *incoming, const float *plane, ptrdiff_t stride,
+                           const float *before, const float *after, ptrdiff_t stride,
                            double power_per_line, double *patch_power);
 
 #endif

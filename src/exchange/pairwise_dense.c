@@ -185,9 +185,10 @@ static bool close_rows(murk_pairwise *p, double *up, double *down)
         p->self[k] *= d[k] * d[k];
         up[k] *= d[k];
         down[k] *= d[k];
-        d[k] = 1; /* what rounding left over goes where there is most */
     }
-    for (size_t k = 0; k < p->zones; k++) {
+    for (size_t k = 0; k < p->zones; k++)
+        d[k] = 1;
+    for (size_t k = 0; k < p->zones; k++) { /* what rounding left over goes where there is most */
         double rest = p->weight[k] - row_sum(p, k, d, up[k] + down[k]);
         double *largest = up[k] > down[k] ? up + k : down + k;
         *(*largest > p->self[k] ? largest : p->self + k) += rest;

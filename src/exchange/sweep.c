@@ -185,7 +185,7 @@ struct worker {
     double *patch_power;
     double net_power;
     murk_layer *layer; /* MURK_BLOCK times the most layers of a lattice */
-    float *plane;      /* states of the lines of a block */
+    float *plane;      /* states of the lines of a block, and what they were at the start */
     size_t plane_capacity;
 };
 
@@ -258,13 +258,15 @@ static bool run_block(const struct run *run, const struct block *block, struct w
         size[i] = (size_t)(l->ray_hi[0] - l->ray_lo[0]) * (size_t)(l->ray_hi[1] - l->ray_lo[1]);
         total += size[i];
     }
-    if (!reserve(worker, total))
+    if (!reserve(worker, 2 * total))
         return false;
+    float *before = worker->plane + total;
     for (int i = 0; i < block->count; i++) {
         plane[i] = i ? plane[i - 1] + size[i - 1] : worker->plane;
         murk_boundary_enter(&boundary[i], &lattice[i], run->incoming, plane[i],
                             lattice[i].ray_hi[0] - lattice[i].ray_lo[0]);
     }
+    memcpy(before, worker->plane, total * sizeof *before);
     int signs = block->signs & 1 ? block->signs : ~block->signs & 7;
     const int32_t *order = sweep->order[(~signs >> 1) & 3];
     for (size_t n = 0; n < grid->brick_count; n++) {
@@ -273,7 +275,7 @@ static bool run_block(const struct run *run, const struct block *block, struct w
     }
     for (int i = 0; i < block->count; i++)
         worker->net_power += murk_boundary_leave(
-            &boundary[i], &lattice[i], run->incoming, plane[i],
+            &boundary[i], &lattice[i], before + (plane[i] - worker->plane), plane[i],
             lattice[i].ray_hi[0] - lattice[i].ray_lo[0],
             run->power_factor * lattice[i].weight * lattice[i].area, worker->patch_power);
     return true;

@@ -79,7 +79,7 @@ murk_status murk_ground_fit(murk_context *context, const murk_medium *medium, co
 murk_status murk_scene_default(murk_context *context, const murk_medium *medium, murk_up up,
                                murk_scene *scene, murk_ground **ground)
 {
-    murk_scene made = {.medium = medium, .sun = {.irradiance = 1.0}, .sky_radiance = 0.06};
+    murk_scene made = {.medium = medium, .sun = {.irradiance = 1.0}, .sky_radiance = 0.03};
     int axis[2];
     horizontal(up, axis);
     made.sun.direction[axis[0]] = 0.5;

@@ -117,8 +117,9 @@ static murk_status refine(murk_levels *levels, murk_solution *solution, const mu
             fine >= MOST_DIRECTIONS)
             return MURK_OK;
         last = (int)fine;
+        /* Where the light is smooth the error falls faster than that: no leaps. */
         double needed = pow(c / (0.8 * o->tolerance), 2);
-        directions = (int)fmin(MOST_DIRECTIONS, fmax(needed, 1.5 * fine));
+        directions = (int)fmin(MOST_DIRECTIONS, fmin(2 * fine, fmax(needed, 1.5 * fine)));
     }
 }
 

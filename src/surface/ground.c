@@ -51,6 +51,7 @@ static void fill_edges(murk_ground *ground, const murk_ground_options *o)
         double *edge = ground->edge[c], low = o->extent_min[c], high = o->extent_max[c];
         int n = ground->interior[c], margin = ground->margin;
         double step = (high - low) / n;
+        ground->per_metre[c] = n / (high - low);
         for (int i = 0; i <= n; i++)
             edge[margin + i] = low + (high - low) * i / n;
         for (int i = 1; i <= margin; i++) {
@@ -152,7 +153,7 @@ static int find_column(const murk_ground *ground, int c, double x)
     int n = ground->interior[c], margin = ground->margin, count = ground->count[c];
     double low = edge[margin], high = edge[margin + n];
     if (x >= low && x < high) {
-        int i = (int)((x - low) / (high - low) * n);
+        int i = (int)((x - low) * ground->per_metre[c]);
         return margin + (i < n ? i : n - 1);
     }
     if (!(x >= edge[0] && x < edge[count]))

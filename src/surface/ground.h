@@ -20,6 +20,7 @@ struct murk_ground {
     int margin;      /* patches added on every side */
     int count[2];    /* interior + 2 * margin */
     double *edge[2]; /* count + 1 coordinates [m] */
+    double per_metre[2]; /* interior patches per metre */
     size_t patch_count;
     float *reflectance; /* rho per patch */
     float *emission;    /* E of the patch itself [W/m^2], not scaled by emissivity */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Layout of a VDB file, all numbers little-endian, a string being a uint32 length and its bytes:
+ * Layout of a VDB file:
  *   int64 magic; uint32 format version; uint32 library major, minor; uint8 has offsets;
- *   [formats 220, 221: uint8 compression]; 36 characters of UUID;
+ *   [formats 220, 221: uint8 compressed]; 36 characters of UUID;
  *   file metadata: uint32 count, then each: string name, string type, uint32 size, bytes;
  *   int32 grid count, then each grid's descriptor: string name, type, parent;
  *   int64 start of the grid, start of its voxel buffers, end; and, right there, the grid:
@@ -10,167 +10,175 @@
  */
 #include "check.h"
 
+#include "cursor.h"
+
 #include <inttypes.h>
 #include <stdio.h>
-#include <string.h>
 
 enum {
     OLDEST = 220,
+    NODE_MASKS = 222,
     NEWEST = 224,
     UUID_LENGTH = 36,
     COMPRESSION_BITS = 7,
-    SMALLEST_DESCRIPTOR = 36,
-    SEPARATOR = 0x1e
+    SMALLEST_DESCRIPTOR = 36
 };
 
-/* A place in the source that reads forward up to an end. The first failure sticks, and reads
-   after it give zeros. */
-typedef struct cursor {
-    murk_context *context;
-    const murk_source *source;
-    uint64_t at, end;
-    const char *part; /* for messages */
-    murk_status status;
-} cursor;
+typedef struct sized {
+    const char *type;
+    uint32_t size;
+} sized;
 
-static void skip(cursor *c, uint64_t size)
+/* OpenVDB reads metadata of these types by their own size, whatever the file says. */
+static const sized metadata_sizes[] = {{"bool", 1},   {"float", 4},  {"double", 8}, {"int32", 4},
+                                       {"int64", 8},  {"vec2i", 8},  {"vec2s", 8},  {"vec2d", 16},
+                                       {"vec3i", 12}, {"vec3s", 12}, {"vec3d", 24}, {"vec4i", 16},
+                                       {"vec4s", 16}, {"vec4d", 32}, {"mat4s", 64}, {"mat4d", 128}};
+
+static const sized transform_sizes[] = {{"AffineMap", 128},
+                                        {"UnitaryMap", 128},
+                                        {"ScaleMap", 120},
+                                        {"UniformScaleMap", 120},
+                                        {"TranslationMap", 24},
+                                        {"ScaleTranslateMap", 144},
+                                        {"UniformScaleTranslateMap", 144}};
+
+static const sized *find_size(const sized *list, size_t count, const char *type)
 {
-    if (c->status)
-        return;
-    if (size > c->end - c->at)
-        c->status = murk_fail(c->context, MURK_ERROR_INPUT,
-                              "%s: truncated or damaged in %s at byte %" PRIu64
-                              "; write or copy the file again",
-                              c->source->where, c->part, c->at);
-    else
-        c->at += size;
+    for (size_t i = 0; i < count; i++)
+        if (!strcmp(list[i].type, type))
+            return &list[i];
+    return NULL;
 }
 
-static void take(cursor *c, void *out, size_t size)
+/* Entries of a metadata map; entry (may be NULL) learns where the delayed-load entry is. */
+static void skip_metadata(murk_cursor *c, murk_vdb_entry *entry)
 {
-    uint64_t from = c->at;
-    memset(out, 0, size);
-    skip(c, size);
-    if (!c->status)
-        c->status = murk_source_read(c->context, c->source, from, out, size);
-}
-
-static uint64_t take_number(cursor *c, int bytes)
-{
-    unsigned char raw[8];
-    uint64_t value = 0;
-    take(c, raw, (size_t)bytes);
-    for (int i = 0; i < bytes; i++)
-        value |= (uint64_t)raw[i] << 8 * i;
-    return value;
-}
-
-static murk_status damaged(cursor *c, const char *what)
-{
-    return c->status = murk_fail(c->context, MURK_ERROR_INPUT,
-                                 "%s: damaged in %s: %s; write or copy the file again",
-                                 c->source->where, c->part, what);
-}
-
-static void take_string(cursor *c, char out[MURK_VDB_NAME])
-{
-    uint64_t length = take_number(c, 4);
-    if (!c->status && length >= MURK_VDB_NAME)
-        c->status = murk_fail(c->context, MURK_ERROR_INPUT,
-                              "%s: damaged in %s: a name of %" PRIu64
-                              " bytes; write or copy the file again",
-                              c->source->where, c->part, length);
-    if (c->status)
-        length = 0;
-    take(c, out, (size_t)length);
-    out[length] = 0;
-    for (const char *p = out; p < out + length && !c->status; p++)
-        if ((unsigned char)*p < ' ' && *p != SEPARATOR)
-            damaged(c, "a name with control characters");
-}
-
-/* "density" + separator + "1" is shown as "density[1]". */
-static void make_label(murk_vdb_entry *entry)
-{
-    char *separator;
-    snprintf(entry->label, sizeof entry->label, "%s", entry->name);
-    separator = strchr(entry->label, SEPARATOR);
-    if (separator) {
-        *separator = '[';
-        strcat(separator, "]");
+    char type[MURK_VDB_NAME];
+    uint64_t count = murk_take_number(c, 4);
+    if (entry)
+        entry->metadata_count = (uint32_t)count;
+    for (; count > 0 && !c->trouble; count--) {
+        uint64_t start = c->at;
+        murk_skip(c, murk_take_number(c, 4));
+        murk_take_string(c, type);
+        uint64_t size = murk_take_number(c, 4);
+        const sized *known =
+            find_size(metadata_sizes, sizeof metadata_sizes / sizeof *metadata_sizes, type);
+        if (known && known->size != size)
+            murk_cursor_fail(c, "metadata of a wrong size");
+        murk_skip(c, size);
+        if (!entry || strcmp(type, "__delayedload"))
+            continue;
+        if (entry->delayed != entry->delayed_end)
+            murk_cursor_fail(c, "metadata that are there twice");
+        entry->delayed = start;
+        entry->delayed_end = c->at;
     }
-    for (char *p = entry->label; *p; p++)
-        if (*p == SEPARATOR)
-            *p = '?';
 }
 
-static void skip_metadata(cursor *c)
+static void skip_transform(murk_cursor *c, const murk_vdb_header *header)
 {
-    for (uint64_t count = take_number(c, 4); count > 0 && !c->status; count--) {
-        skip(c, take_number(c, 4));
-        skip(c, take_number(c, 4));
-        skip(c, take_number(c, 4));
+    char type[MURK_VDB_NAME];
+    murk_take_string(c, type);
+    if (!strcmp(type, "NonlinearFrustumMap")) {
+        murk_skip(c, header->version < 221 ? 24 + 16 : 48 + 16);
+        murk_take_string(c, type);
+    }
+    const sized *known =
+        find_size(transform_sizes, sizeof transform_sizes / sizeof *transform_sizes, type);
+    if (!known)
+        murk_cursor_fail(c, "a transform of unknown type");
+    else
+        murk_skip(c, known->size);
+}
+
+static murk_status finish(const murk_cursor *c, const char *part)
+{
+    if (!c->trouble || c->status)
+        return c->status;
+    return murk_fail(c->context, MURK_ERROR_INPUT,
+                     "%s: truncated or damaged in %s, byte %" PRIu64
+                     ": %s; write or copy the file again",
+                     c->source->where, part, c->at, c->trouble);
+}
+
+static void check_uuid(murk_cursor *c)
+{
+    char uuid[UUID_LENGTH];
+    murk_take(c, uuid, sizeof uuid);
+    for (int i = 0; i < UUID_LENGTH; i++) {
+        bool dash = i == 8 || i == 13 || i == 18 || i == 23;
+        if (!uuid[i] || !strchr(dash ? "-" : "0123456789abcdefABCDEF", uuid[i]))
+            murk_cursor_fail(c, "the UUID");
     }
 }
 
 murk_status murk_vdb_check(murk_context *context, const murk_source *source, murk_vdb_header *out)
 {
     static const unsigned char magic[8] = {' ', 'B', 'D', 'V'};
-    cursor c = {context, source, 0, source->size, "the header", MURK_OK};
+    murk_cursor c = {.context = context, .source = source, .end = source->size};
     murk_vdb_header header = {0};
     unsigned char start[8];
-    if (source->size < sizeof start)
+    murk_take(&c, start, sizeof start);
+    if (c.status)
+        return c.status;
+    if (c.trouble || memcmp(start, magic, sizeof magic))
         return murk_fail(context, MURK_ERROR_INPUT, "%s: %s; give a VDB file", source->where,
-                         source->size ? "too short for a VDB file" : "empty");
-    take(&c, start, sizeof start);
-    if (!c.status && memcmp(start, magic, sizeof magic))
-        return murk_fail(context, MURK_ERROR_INPUT, "%s: not a VDB file", source->where);
-    header.version = (uint32_t)take_number(&c, 4);
-    if (!c.status && (header.version < OLDEST || header.version > NEWEST))
+                         source->size ? "not a VDB file" : "empty");
+    header.version = (uint32_t)murk_take_number(&c, 4);
+    if (!c.trouble && (header.version < OLDEST || header.version > NEWEST))
         return murk_fail(context, MURK_ERROR_INPUT,
-                         "%s: VDB format %" PRIu32 " is not one of %d to %d; save it again with "
-                         "OpenVDB 10",
+                         "%s: VDB format %" PRIu32
+                         " is not one of %d to %d; save it again with OpenVDB 10",
                          source->where, header.version, OLDEST, NEWEST);
-    skip(&c, 8);
-    uint64_t flag = take_number(&c, 1);
-    if (!c.status && flag > 1)
-        return damaged(&c, "the flag for grid offsets");
+    murk_skip(&c, 8);
+    uint64_t flag = murk_take_number(&c, 1);
     header.has_offsets = flag == 1;
-    if (header.version < 222 && take_number(&c, 1) > COMPRESSION_BITS)
-        return damaged(&c, "the compression");
-    char uuid[UUID_LENGTH];
-    take(&c, uuid, sizeof uuid);
-    for (int i = 0; i < UUID_LENGTH && !c.status; i++)
-        if (!strchr(i == 8 || i == 13 || i == 18 || i == 23 ? "-" : "0123456789abcdefABCDEF",
-                    uuid[i]) ||
-            !uuid[i])
-            return damaged(&c, "the UUID");
+    if (header.version < NODE_MASKS)
+        header.compression = (uint32_t)murk_take_number(&c, 1);
+    if (flag > 1 || header.compression > 1)
+        murk_cursor_fail(&c, "a flag that is neither 0 nor 1");
+    check_uuid(&c);
     header.prefix = c.at;
-    c.part = "the file metadata";
-    skip_metadata(&c);
-    c.part = "the number of grids";
-    header.grid_count = (uint32_t)take_number(&c, 4);
+    skip_metadata(&c, NULL);
+    header.grid_count = (uint32_t)murk_take_number(&c, 4);
     header.first = c.at;
-    if (!c.status && header.grid_count > (c.end - c.at) / SMALLEST_DESCRIPTOR)
-        return damaged(&c, "more grids than the file has room for");
-    if (!c.status)
+    if (header.grid_count > (c.end - c.at) / SMALLEST_DESCRIPTOR)
+        murk_cursor_fail(&c, "more grids than there is room for");
+    murk_status status = finish(&c, "the header");
+    if (!status)
         *out = header;
-    return c.status;
+    return status;
+}
+
+/* "density" + separator + "1" is shown as "density[1]". */
+static void make_label(murk_vdb_entry *entry)
+{
+    snprintf(entry->label, sizeof entry->label, "%s", entry->name);
+    char *separator = strchr(entry->label, MURK_VDB_SEPARATOR);
+    if (separator) {
+        *separator = '[';
+        strcat(separator, "]");
+    }
+    for (char *p = entry->label; *p; p++)
+        if (*p == MURK_VDB_SEPARATOR)
+            *p = '?';
 }
 
 murk_status murk_vdb_check_entry(murk_context *context, const murk_source *source,
                                  const murk_vdb_header *header, uint64_t start, murk_vdb_entry *out)
 {
-    cursor c = {context, source, start, source->size, "a grid's descriptor", MURK_OK};
+    murk_cursor c = {.context = context, .source = source, .at = start, .end = source->size};
     murk_vdb_entry entry = {.start = start};
-    char transform[MURK_VDB_NAME];
-    take_string(&c, entry.name);
+    murk_take_string(&c, entry.name);
     make_label(&entry);
-    take_string(&c, entry.type);
-    take_string(&c, entry.parent);
-    uint64_t grid = take_number(&c, 8), blocks = take_number(&c, 8), end = take_number(&c, 8);
-    if (c.status)
-        return c.status;
+    murk_take_string(&c, entry.type);
+    murk_take_string(&c, entry.parent);
+    uint64_t grid = murk_take_number(&c, 8), blocks = murk_take_number(&c, 8);
+    uint64_t end = murk_take_number(&c, 8);
+    if (c.trouble)
+        return finish(&c, "a grid's descriptor");
     if (header->has_offsets) {
         /* A grid that shares a tree has no voxel buffers. */
         bool shares = entry.parent[0] != 0;
@@ -182,12 +190,19 @@ murk_status murk_vdb_check_entry(murk_context *context, const murk_source *sourc
                              source->where, entry.label, end, source->size);
         entry.end = c.end = end;
     }
-    c.part = "a grid's header";
-    if (header->version >= 222 && take_number(&c, 4) > COMPRESSION_BITS)
-        return damaged(&c, "the compression");
-    skip_metadata(&c);
-    take_string(&c, transform);
-    if (!c.status)
+    entry.compression = header->compression;
+    if (header->version >= NODE_MASKS)
+        entry.compression = (uint32_t)murk_take_number(&c, 4);
+    if (entry.compression > COMPRESSION_BITS)
+        murk_cursor_fail(&c, "an unknown compression");
+    entry.metadata = c.at;
+    skip_metadata(&c, &entry);
+    skip_transform(&c, header);
+    entry.tree = c.at;
+    if (entry.parent[0])
+        entry.end = c.at;
+    murk_status status = finish(&c, "a grid's header");
+    if (!status)
         *out = entry;
-    return c.status;
+    return status;
 }

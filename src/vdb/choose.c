@@ -40,32 +40,33 @@ static int rank_name(const char *name)
     return -1;
 }
 
+static bool is_scalar(const murk_grid_info *info)
+{
+    return !strcmp(info->type, "float") || !strcmp(info->type, "half") ||
+           !strcmp(info->type, "double");
+}
+
 int64_t murk_volume_choose(const murk_volume *volume)
 {
     const murk_vdb *vdb = volume->vdb;
     int64_t best = MURK_NO_GRID, only = MURK_NO_GRID;
-    int best_rank = 0, readable = 0;
-    bool best_holds = false;
+    int best_rank = 0, best_worth = 0, readable = 0;
     for (size_t i = 0; i < murk_vdb_count(vdb); i++) {
         const murk_grid_info *info = murk_vdb_info(vdb, i);
-        if (!info->readable)
+        if (!is_scalar(info))
             continue;
-        bool something = info->nonzero_voxels > info->invalid_voxels;
-        int rank = rank_name(info->name);
-        if (!is_other(info->name)) {
+        if (info->readable && !is_other(info->name)) {
             readable++;
             only = (int64_t)i;
         }
-        if (rank < 0)
+        int rank = rank_name(info->name);
+        int worth = info->readable + (info->nonzero_voxels > info->invalid_voxels);
+        bool better = rank < best_rank || (rank == best_rank && worth > best_worth);
+        if (rank < 0 || (best != MURK_NO_GRID && !better))
             continue;
-        if (best == MURK_NO_GRID || rank < best_rank ||
-            (rank == best_rank && something && !best_holds)) {
-            best = (int64_t)i;
-            best_rank = rank;
-            best_holds = something;
-        }
+        best = (int64_t)i;
+        best_rank = rank;
+        best_worth = worth;
     }
-    if (best == MURK_NO_GRID && readable == 1)
-        best = only;
-    return best;
+    return best == MURK_NO_GRID && readable == 1 ? only : best;
 }

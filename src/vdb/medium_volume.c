@@ -51,29 +51,17 @@ static murk_status find_extinction(assembly *a)
     if (a->options->extinction.grid)
         return murk_volume_find(a->context, a->volume, a->options->extinction.grid, &a->extinction);
     int64_t chosen = murk_volume_choose(a->volume);
-    if (chosen == MURK_NO_GRID) {
-        const char *name = NULL, *unreadable = "";
-        for (size_t i = 0; i < murk_vdb_count(a->volume->vdb); i++) {
-            const murk_grid_info *info = murk_vdb_info(a->volume->vdb, i);
-            if (info->readable)
-                return murk_fail(a->context, MURK_ERROR_INPUT,
-                                 "%s: no grid looks like a density; name the one to use, such as "
-                                 "\"%s\"",
-                                 a->path, info->name);
-            if (!name || murk_volume_same_name(info->name, "density")) {
-                name = info->name;
-                unreadable = info->unreadable;
-            }
-        }
-        if (!name)
-            return murk_fail(a->context, MURK_ERROR_INPUT,
-                             "%s: no grids; give a file with a density", a->path);
-        return murk_fail(a->context, MURK_ERROR_INPUT,
-                         "%s: no grid can be taken for a density; grid %s: %s", a->path, name,
-                         unreadable);
+    if (chosen != MURK_NO_GRID) {
+        a->extinction = (size_t)chosen;
+        return murk_volume_check(a->context, a->volume, a->extinction);
     }
-    a->extinction = (size_t)chosen;
-    return MURK_OK;
+    if (!murk_vdb_count(a->volume->vdb))
+        return murk_fail(a->context, MURK_ERROR_INPUT, "%s: no grids; give a file with a density",
+                         a->path);
+    char names[600];
+    murk_volume_list(a->volume, names, sizeof names);
+    return murk_fail(a->context, MURK_ERROR_INPUT,
+                     "%s: no grid looks like a density; name the one to use of %s", a->path, names);
 }
 
 /* Two grids on the same transform: within a thousandth of a voxel near the origin. */

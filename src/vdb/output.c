@@ -104,6 +104,9 @@ static murk_status add_grid(output *o, const char *name, double (*find)(const zo
 static murk_status add_pass(output *o, const murk_volume *source, int64_t index)
 {
     const char *name = murk_vdb_info(source->vdb, (size_t)index)->name;
+    murk_status status = murk_volume_check(o->solution->context, source, (size_t)index);
+    if (status)
+        return status;
     for (size_t i = 0; i < o->count; i++)
         if (murk_volume_same_name(name, o->grid[i].name))
             return murk_fail(o->solution->context, MURK_ERROR_INPUT,

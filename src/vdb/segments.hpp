@@ -19,11 +19,6 @@ class murk_segments : public std::streambuf
         open(0);
     }
 
-    uint64_t position() const
-    {
-        return next_ ? pieces_[next_ - 1].offset + uint64_t(gptr() - eback()) : 0;
-    }
-
   protected:
     int_type underflow() override
     {
@@ -55,6 +50,11 @@ class murk_segments : public std::streambuf
     }
 
   private:
+    uint64_t position() const
+    {
+        return next_ ? pieces_[next_ - 1].offset + uint64_t(gptr() - eback()) : 0;
+    }
+
     struct piece {
         char *begin, *end;
         uint64_t offset;

@@ -51,7 +51,7 @@ class bytes
     {
         if (from.memory)
             return;
-        copy_.reset(new char[size_]);
+        copy_.reset(new unsigned char[size_]);
         check(murk_source_read(context, &from, start, copy_.get(), size_));
         data_ = copy_.get();
     }
@@ -59,11 +59,60 @@ class bytes
     {
         stream.add(data_, size_);
     }
+    const unsigned char *data() const
+    {
+        return data_;
+    }
+    uint64_t size() const
+    {
+        return size_;
+    }
 
   private:
-    std::unique_ptr<char[]> copy_;
-    const void *data_;
+    std::unique_ptr<unsigned char[]> copy_;
+    const unsigned char *data_;
     uint64_t size_;
+};
+
+/* A descriptor and its grid, checked. The metadata that help to load a file later are left out:
+   nothing is loaded later. */
+class part
+{
+  public:
+    part(murk_context *context, const source &from, const murk_vdb_header &header,
+         const murk_vdb_entry &entry)
+        : entry_(entry), bytes_(context, from, entry.start, entry.end ? entry.end : from.size)
+    {
+        if (const char *trouble =
+                murk_vdb_check_tree(bytes_.data(), bytes_.size(), &header, &entry_))
+            throw std::runtime_error(std::string("damaged: ") + trouble);
+        const uint32_t count = entry.metadata_count - (entry.delayed != entry.delayed_end);
+        for (int i = 0; i < 4; i++)
+            count_[i] = static_cast<unsigned char>(count >> 8 * i);
+    }
+    const murk_vdb_entry &entry() const
+    {
+        return entry_;
+    }
+    void add_to(murk_segments &stream) const
+    {
+        const uint64_t metadata = entry_.metadata + 4;
+        const bool delayed = entry_.delayed != entry_.delayed_end;
+        add(stream, entry_.start, entry_.metadata);
+        stream.add(count_, 4);
+        add(stream, metadata, delayed ? entry_.delayed : metadata);
+        add(stream, delayed ? entry_.delayed_end : metadata, entry_.end);
+    }
+
+  private:
+    void add(murk_segments &stream, uint64_t from, uint64_t to) const
+    {
+        stream.add(bytes_.data() + (from - entry_.start), to - from);
+    }
+
+    murk_vdb_entry entry_;
+    bytes bytes_;
+    unsigned char count_[4];
 };
 
 class reader
@@ -104,7 +153,11 @@ class reader
             item.name = std::string(entry.label) + "[" + std::to_string(n) + "]";
         openvdb::GridBase::Ptr grid;
         try {
+            if (!murk_vdb_knows_tree(entry.type))
+                throw std::runtime_error("of type " + type_of(entry) +
+                                         ", not a scalar float field");
             grid = load(entry);
+            murk_vdb_describe(*grid, item);
         } catch (const failure &) {
             throw;
         } catch (const std::bad_alloc &) {
@@ -114,8 +167,6 @@ class reader
         } catch (const std::exception &error) {
             refuse(entry, item, murk_reason(error));
         }
-        if (grid)
-            murk_vdb_describe(*grid, item);
         item.info.name = item.name.c_str();
         item.info.type = item.type.c_str();
         item.info.grid_class = item.grid_class.c_str();
@@ -129,26 +180,22 @@ class reader
         static const unsigned char no_metadata[4] = {0}, one[4] = {1}, two[4] = {2};
         const murk_vdb_entry *parent = find_parent(entry);
         const bytes prefix(context_, source_, 0, header_.prefix);
+        std::unique_ptr<part> shared;
+        if (parent)
+            shared.reset(new part(context_, source_, header_, *parent));
+        part own(context_, source_, header_, entry);
+        entry = own.entry();
+
         murk_segments stream;
         prefix.add_to(stream);
         stream.add(no_metadata, 4);
         stream.add(parent ? two : one, 4);
-        std::unique_ptr<bytes> shared;
-        uint64_t before = header_.prefix + 8;
-        if (parent) {
-            shared.reset(new bytes(context_, source_, parent->start, parent->end));
+        if (shared)
             shared->add_to(stream);
-            before += parent->end - parent->start;
-        }
-        const uint64_t end = entry.end ? entry.end : source_.size;
-        const bytes own(context_, source_, entry.start, end);
         own.add_to(stream);
-
         std::istream input(&stream);
         input.exceptions(std::ios::failbit | std::ios::badbit);
         openvdb::io::Stream archive(input, false);
-        if (!entry.end)
-            entry.end = entry.start + (stream.position() - before);
         const openvdb::GridPtrVecPtr grids = archive.getGrids();
         if (!grids || grids->empty() || !grids->back())
             throw std::runtime_error("OpenVDB finds no grid");
@@ -173,9 +220,20 @@ class reader
             throw failure{murk_fail(context_, MURK_ERROR_INPUT,
                                     "%s, grid %s: cannot be read: %s; write the stream again",
                                     source_.where, item.name.c_str(), reason.c_str())};
-        item.type = entry.type;
+        item.info = murk_grid_info{};
+        item.type = type_of(entry);
         item.grid_class = "unknown";
         item.unreadable = reason;
+    }
+
+    /* "Tree_float_5_4_3_HalfFloat" is "half". */
+    static std::string type_of(const murk_vdb_entry &entry)
+    {
+        std::string type = entry.type;
+        const bool is_half = type.size() > 10 && !type.compare(type.size() - 10, 10, "_HalfFloat");
+        if (!type.compare(0, 5, "Tree_"))
+            type = type.substr(5, type.find('_', 5) - 5);
+        return is_half && type == "float" ? "half" : type;
     }
 
     murk_context *context_;

@@ -44,7 +44,10 @@ murk_status murk_volume_grid_info(const murk_volume *volume, size_t index, murk_
 const char *murk_volume_density(const murk_volume *volume)
 {
     int64_t index = murk_volume_choose(volume);
-    return index == MURK_NO_GRID ? NULL : murk_vdb_info(volume->vdb, (size_t)index)->name;
+    if (index == MURK_NO_GRID)
+        return NULL;
+    const murk_grid_info *info = murk_vdb_info(volume->vdb, (size_t)index);
+    return info->readable ? info->name : NULL;
 }
 
 bool murk_volume_same_name(const char *label, const char *name)
@@ -59,9 +62,9 @@ bool murk_volume_same_name(const char *label, const char *name)
     return digits && !strcmp(rest + 1 + digits, "]");
 }
 
-/* "a, b, c" of the grids, readable ones first. */
-static void list_names(const murk_vdb *vdb, char *out, size_t size)
+void murk_volume_list(const murk_volume *volume, char *out, size_t size)
 {
+    const murk_vdb *vdb = volume->vdb;
     size_t used = 0;
     out[0] = 0;
     for (int readable = 1; readable >= 0; readable--)
@@ -74,6 +77,15 @@ static void list_names(const murk_vdb *vdb, char *out, size_t size)
         }
     if (used >= size)
         memcpy(out + size - 4, "...", 4);
+}
+
+murk_status murk_volume_check(murk_context *context, const murk_volume *volume, size_t index)
+{
+    const murk_grid_info *info = murk_vdb_info(volume->vdb, index);
+    if (info->readable)
+        return MURK_OK;
+    return murk_fail(context, MURK_ERROR_INPUT, "%s, grid %s: cannot be used: %s",
+                     murk_vdb_path(volume->vdb), info->name, info->unreadable);
 }
 
 murk_status murk_volume_find(murk_context *context, const murk_volume *volume, const char *name,
@@ -89,17 +101,15 @@ murk_status murk_volume_find(murk_context *context, const murk_volume *volume, c
             found = i;
     if (found == count) {
         char names[600];
-        list_names(vdb, names, sizeof names);
+        murk_volume_list(volume, names, sizeof names);
         if (!count)
             return murk_fail(context, MURK_ERROR_INPUT, "%s: no grid \"%.100s\"; it has no grids",
                              murk_vdb_path(vdb), name);
         return murk_fail(context, MURK_ERROR_INPUT, "%s: no grid \"%.100s\"; there are %s",
                          murk_vdb_path(vdb), name, names);
     }
-    const murk_grid_info *info = murk_vdb_info(vdb, found);
-    if (!info->readable)
-        return murk_fail(context, MURK_ERROR_INPUT, "%s, grid %s: cannot be used: %s",
-                         murk_vdb_path(vdb), info->name, info->unreadable);
-    *out = found;
-    return MURK_OK;
+    murk_status status = murk_volume_check(context, volume, found);
+    if (!status)
+        *out = found;
+    return status;
 }

@@ -13,13 +13,20 @@ struct murk_volume {
 
 enum { MURK_NO_GRID = -1 };
 
-/* Number of the grid that murk would take for the density, or MURK_NO_GRID. */
+/* Number of the grid that is meant to be the density, or MURK_NO_GRID. It may be unreadable: a
+   damaged density must not make murk take another grid in silence. */
 int64_t murk_volume_choose(const murk_volume *volume);
 
 /* Number of the readable grid with a unique name, or of the first of several that share a name.
    Fails, naming the grids there are, for an unknown one. */
 murk_status murk_volume_find(murk_context *context, const murk_volume *volume, const char *name,
                              size_t *out);
+
+/* "a", "b", ...: the grids there are, readable ones first. */
+void murk_volume_list(const murk_volume *volume, char *out, size_t size);
+
+/* Fails where a grid cannot be read as a scalar field. */
+murk_status murk_volume_check(murk_context *context, const murk_volume *volume, size_t index);
 
 /* Whether name is label, or label without the number in brackets that makes it unique. */
 bool murk_volume_same_name(const char *label, const char *name);
