@@ -30,15 +30,15 @@ static const char GENERAL[] = "General";
 #define WHOLE(low, high, text) .min = low, .max = high, .expected = text
 
 static const struct cli_option TABLE[] = {
-    {"output", 'o', PICTURE, OUTPUT, "FILE",
-     "the picture: .exr keeps everything; .png, .jpg, .tif and others are for looking at",
-     TEXT(output)},
-    {"output", 'o', CLI_SOLVE, OUTPUT, "FILE",
-     "the radiosity as .vdb, or - for a VDB stream to standard output", TEXT(output)},
-    {"preview", 0, PICTURE, OUTPUT, "FILE", "the picture once more, as .png say", TEXT(preview)},
-    {"radiosity", 0, CLI_IMAGE, OUTPUT, "FILE", "keep the radiosity too, as .vdb", TEXT(radiosity)},
     {"radiosity", 0, CLI_RENDER, "Input", "FILE", "the radiosity .vdb that murk solve wrote",
      TEXT(radiosity)},
+    {"output", 'o', PICTURE, OUTPUT, "FILE",
+     "the picture: .exr keeps everything; .png, .jpg and others are for looking at", TEXT(output)},
+    {"output", 'o', CLI_SOLVE, OUTPUT, "FILE",
+     "the radiosity as .vdb, or - for a VDB stream to standard output", TEXT(output)},
+    {"preview", 0, PICTURE, OUTPUT, "FILE", "the picture once more, for looking at: .png",
+     TEXT(preview)},
+    {"radiosity", 0, CLI_IMAGE, OUTPUT, "FILE", "keep the radiosity too, as .vdb", TEXT(radiosity)},
     {"ground-radiosity", 0, SOLVING, OUTPUT, "FILE",
      "the radiosity of the ground patches [W/m^2] as .exr, one pixel a patch",
      TEXT(ground_radiosity)},

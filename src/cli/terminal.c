@@ -30,12 +30,13 @@ void cli_terminal_clear(struct cli_terminal *terminal)
     terminal->drawn = false;
 }
 
+/* In one piece, so that the lines of runs side by side do not mix. */
 static void print_line(struct cli_terminal *terminal, const char *format, va_list arguments)
 {
+    char text[2048];
+    vsnprintf(text, sizeof text, format, arguments);
     cli_terminal_clear(terminal);
-    fputs("murk: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    fprintf(stderr, "murk: %s\n", text);
 }
 
 void cli_error(struct cli_terminal *terminal, const char *format, ...)

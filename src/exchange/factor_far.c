@@ -49,7 +49,7 @@ double murk_far_attenuation(const murk_sight *sight, const int32_t m[3], const i
         p[a] = (box[0][a] + box[1][a]) / 2;
         q[a] = (box[2][a] + box[3][a]) / 2;
     }
-    const double (*zones)[3] = (const double (*)[3])box;
+    const double(*zones)[3] = (const double(*)[3])box;
     double middle = attenuation(sight, zones, p, q, kappa_m, kappa_k, &r2);
     double edge = fmax(size[0], fmax(size[1], size[2]));
     if (sight->kappa_max * edge < 0.05 || (middle > 0 && middle < 1e-8))

@@ -46,6 +46,13 @@ murk_status murk_lines_through_create(murk_context *context, size_t base, murk_l
     return MURK_OK;
 }
 
+size_t murk_lines_through_base(size_t total, size_t zones)
+{
+    enum { LEAST = 128, MOST = 2048 };
+    size_t base = zones ? total / zones : LEAST;
+    return base < LEAST ? LEAST : base > MOST ? MOST : base;
+}
+
 void murk_lines_through_clear(murk_lines_through *lines)
 {
     murk_free(lines->point);
@@ -158,22 +165,20 @@ void murk_near_trace(const murk_sight *sight, const murk_lines_through *lines,
         near->patch[i] *= share;
 }
 
-void murk_near_escape(const murk_sight *sight, const murk_lines_through *lines,
-                      const int32_t cell[3], murk_near *near)
+double murk_near_upwards(const murk_sight *sight, const murk_lines_through *lines,
+                         const int32_t cell[3])
 {
-    near->up = near->down = 0;
+    double sum = 0, up = 0;
     for (size_t i = 0; i < lines->count; i++) {
         const double *d = lines->direction[i];
         double p[3], t[2];
         chord_in_cell(sight, lines, i, cell, p, t);
         double escape = murk_chord_escape(sight->kappa_uniform * (t[1] - t[0]));
-        for (int way = 0; way < 2; way++) {
-            const double to[3] = {way ? -d[0] : d[0], way ? -d[1] : d[1], way ? -d[2] : d[2]};
-            double depth = murk_sight_depth(sight, p, to, way ? -t[0] : t[1], INFINITY);
-            tally_end(near, ray_end(sight, p, to), escape * exp(-depth));
-        }
+        double rise = sight->up[0] * d[0] + sight->up[1] * d[1] + sight->up[2] * d[2];
+        double ahead = escape * exp(-murk_sight_depth(sight, p, d, t[1], INFINITY));
+        double back = escape * exp(-murk_sight_depth(sight, p, d, -INFINITY, t[0]));
+        sum += ahead + back;
+        up += rise > 0 ? ahead : back;
     }
-    double share = 0.5 / (double)lines->count;
-    near->up *= share;
-    near->down *= share;
+    return sum > 0 ? up / sum : 1;
 }

@@ -13,7 +13,9 @@ typedef struct murk_lines_through {
     double (*point)[3], (*direction)[3];
 } murk_lines_through;
 
+/* base sets of 8 mirror images; murk_lines_through_base() spends a total on a number of zones. */
 murk_status murk_lines_through_create(murk_context *context, size_t base, murk_lines_through *out);
+size_t murk_lines_through_base(size_t total, size_t zones);
 void murk_lines_through_clear(murk_lines_through *lines);
 
 /* What the lines through a zone met. Offsets up to reach[] cells on each axis:
@@ -38,8 +40,8 @@ static inline size_t murk_near_count(const int reach[3])
 void murk_near_trace(const murk_sight *sight, const murk_lines_through *lines,
                      const int32_t cell[3], double kappa, murk_near *near);
 
-/* up and down alone, in a uniform box. */
-void murk_near_escape(const murk_sight *sight, const murk_lines_through *lines,
-                      const int32_t cell[3], murk_near *near);
+/* The part of what leaves a zone and a uniform box that goes upwards. */
+double murk_near_upwards(const murk_sight *sight, const murk_lines_through *lines,
+                         const int32_t cell[3]);
 
 #endif

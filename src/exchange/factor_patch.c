@@ -24,8 +24,8 @@ static double corner_angle(double x, double y, double h)
 
 static double solid_angle(const double x[2], const double y[2], double h)
 {
-    return corner_angle(x[1], y[1], h) - corner_angle(x[0], y[1], h) -
-           corner_angle(x[1], y[0], h) + corner_angle(x[0], y[0], h);
+    return corner_angle(x[1], y[1], h) - corner_angle(x[0], y[1], h) - corner_angle(x[1], y[0], h) +
+           corner_angle(x[0], y[0], h);
 }
 
 /* Ends of `count` parts of [x0, x1] that look equally wide from a distance. */
@@ -72,7 +72,8 @@ static double from_point(const view *v, const double p[3])
     cut(y, sqrt(h * h + near_x * near_x), count, end_y);
     for (int i = 0; i < count; i++)
         for (int j = 0; j < count; j++) {
-            double middle_x = (end_x[i] + end_x[i + 1]) / 2, middle_y = (end_y[j] + end_y[j + 1]) / 2;
+            double middle_x = (end_x[i] + end_x[i + 1]) / 2,
+                   middle_y = (end_y[j] + end_y[j + 1]) / 2;
             sum += solid_angle(end_x + i, end_y + j, h) * transmitted(v, p, middle_x, middle_y, h);
         }
     return sum;

@@ -88,7 +88,7 @@ void murk_lattice_lay(murk_lattice *lattice, const murk_grid *grid, const murk_l
     lattice->sign = line->direction[axis] > 0 ? 1 : -1;
     lattice->span = line->span;
     lattice->weight = line->weight;
-    lattice->middle = ((double)grid->hi[axis] - grid->lo[axis]) / 2;
+    lattice->middle = grid->middle[axis];
     double along = fabs(line->direction[axis]) / grid->voxel[axis]; /* layers per metre */
     double length = 1 / along;
     lattice->area = grid->volume / length;

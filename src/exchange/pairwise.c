@@ -25,8 +25,8 @@ static void release(void *state)
     murk_pairwise *p = state;
     if (!p)
         return;
-    void *const arrays[] = {p->slot, p->cell,  p->weight,       p->area, p->sky, p->horizon,
-                            p->self, p->other, p->other_matrix, p->x,    p->y,   p->patch_sky,
+    void *const arrays[] = {p->slot, p->cell,  p->weight,       p->area,    p->sky, p->horizon,
+                            p->self, p->other, p->other_matrix, p->x,       p->y,   p->patch_sky,
                             p->px,   p->py,    p->matrix,       p->other_at};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         murk_free(arrays[i]);
@@ -258,8 +258,8 @@ static murk_status apply(murk_context *context, void *state, const murk_radiosit
     gather_others(p, p->x, p->py);
     double power = 0;
     for (size_t k = 0; k < p->zones; k++) {
-        double net = p->y[k] + p->sky[k] * in->sky + p->horizon[k] * in->horizon -
-                     p->weight[k] * p->x[k];
+        double net =
+            p->y[k] + p->sky[k] * in->sky + p->horizon[k] * in->horizon - p->weight[k] * p->x[k];
         out->zone[p->slot[k]] = (float)(net / p->weight[k]);
         power += net; /* what the zones exchange with one another cancels in the sum */
     }

@@ -146,7 +146,8 @@ void murk_offsets_patches(const murk_pairwise *p, const double *x, const double 
 static double sum_run(const murk_offsets *o, const double *factor, const double *x, int ix, int iy,
                       int z0, int z1)
 {
-    const size_t *number = o->number + ((size_t)ix * (size_t)o->n[1] + (size_t)iy) * (size_t)o->n[2];
+    const size_t *number =
+        o->number + ((size_t)ix * (size_t)o->n[1] + (size_t)iy) * (size_t)o->n[2];
     double sum = 0;
     while (z0 < z1) {
         int run = 8 - ((z0 + o->z0) & 7);

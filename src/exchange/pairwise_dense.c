@@ -13,7 +13,6 @@
 /* Distances in units of the longest zone edge. */
 static const double NEAR = 3;  /* up to here factors come from the lines through each zone */
 static const double EXACT = 8; /* up to here the integral of 1/r^2 is exact */
-enum { BASE_LINES = 256 };
 
 /* The integral of 1/(pi r^2) over two zones by offset [m^4]. */
 typedef struct geometry {
@@ -229,7 +228,8 @@ static bool fill(murk_context *context, murk_pairwise *p, const geometry *g,
                 now = ++done;
                 if (omp_get_thread_num() == 0)
                     murk_progress(context, "factors",
-                                  (double)now * (double)now / ((double)p->zones * (double)p->zones));
+                                  (double)now * (double)now /
+                                      ((double)p->zones * (double)p->zones));
             }
         }
         murk_free(near.length);
@@ -248,7 +248,8 @@ murk_status murk_pairwise_dense(murk_context *context, murk_pairwise *p)
     p->self = murk_alloc(p->zones, sizeof *p->self);
     murk_status status = MURK_OK;
     if (down && p->matrix && p->self && geometry_create(&g, p->sight.grid, p->threads))
-        status = murk_lines_through_create(context, BASE_LINES, &lines);
+        status =
+            murk_lines_through_create(context, murk_lines_through_base(1 << 19, p->zones), &lines);
     else
         status = murk_fail(context, MURK_ERROR_MEMORY, "pairwise: out of memory for %zu zones",
                            p->zones);

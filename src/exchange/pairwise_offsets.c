@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BASE_LINES = 64 };
-
 static size_t stride(const murk_offsets *o)
 {
     return 2 * (size_t)o->n[2] - 1;
@@ -69,10 +67,10 @@ static void sort_patches(murk_pairwise *p)
     o->up = up;
     for (size_t i = 0; i < p->patches; i++) {
         size_t ia = i % (size_t)ground->count[0], ib = i / (size_t)ground->count[0];
-        int32_t ca = possible ? lattice_column(s, s->a, s->origin[0], axis_a, ground->edge[0] + ia)
-                              : -1;
-        int32_t cb = possible ? lattice_column(s, s->b, s->origin[1], axis_b, ground->edge[1] + ib)
-                              : -1;
+        int32_t ca =
+            possible ? lattice_column(s, s->a, s->origin[0], axis_a, ground->edge[0] + ia) : -1;
+        int32_t cb =
+            possible ? lattice_column(s, s->b, s->origin[1], axis_b, ground->edge[1] + ib) : -1;
         if (ca < 0 || cb < 0) {
             o->aligned_at[i] = -1;
             murk_pairwise_add_other(p, i);
@@ -177,6 +175,54 @@ static bool sum_zone_table(const murk_offsets *o, double *sum)
     return true;
 }
 
+/* Adds to the sums over zones, by cell, the patches by offset; returns the largest share of
+   4 kappa V. */
+static double sum_rows(murk_pairwise *p, const double *by_cell, double *sum)
+{
+    double most = 0;
+    for (size_t c = 0; c < p->zones; c++)
+        sum[p->offsets.number[c]] = by_cell[c];
+    memset(p->x, 0, p->zones * sizeof *p->x);
+    for (size_t i = 0; i < p->patches; i++)
+        p->px[i] = 1;
+    murk_offsets_patches(p, p->x, p->px, sum, p->py);
+    for (size_t k = 0; k < p->zones; k++)
+        most = fmax(most, sum[k] / p->weight[k]);
+    return most;
+}
+
+/* The zone that cell c's zone is the image of: lines alone tell up from down, and the box looks the
+   same from its mirror images beside. */
+static size_t mirror(const murk_offsets *o, const int32_t c[3], int vertical)
+{
+    size_t at = 0;
+    for (int a = 0; a < 3; a++) {
+        int32_t other = o->n[a] - 1 - c[a];
+        bool turn = vertical >= 0 && a != vertical && other < c[a];
+        at = at * (size_t)o->n[a] + (size_t)(turn ? other : c[a]);
+    }
+    return o->number[at];
+}
+
+/* Part of what leaves each zone and the box that goes up: y. */
+static murk_status find_upwards(murk_context *context, murk_pairwise *p)
+{
+    murk_lines_through lines = {0};
+    int vertical = lattice_axis(p->sight.up);
+    size_t base = murk_lines_through_base(1 << 17, p->zones / (vertical < 0 ? 1 : 4) + 1);
+    murk_status status = murk_lines_through_create(context, base, &lines);
+    if (status)
+        return status;
+#pragma omp parallel for schedule(dynamic, 16) num_threads(p->threads)
+    for (size_t k = 0; k < p->zones; k++)
+        if (mirror(&p->offsets, p->cell[k], vertical) == k)
+            p->y[k] = murk_near_upwards(&p->sight, &lines, p->cell[k]);
+    for (size_t k = 0; k < p->zones; k++)
+        p->y[k] = p->y[mirror(&p->offsets, p->cell[k], vertical)];
+    murk_lines_through_clear(&lines);
+    return MURK_OK;
+}
+
 /*
  * What a row lacks to 4 kappa V leaves for sky, horizon or nothing. A sum beyond it is an error of
  * the quadrature (1e-8 deep in a thick medium, where nothing should be left), and would let light
@@ -185,51 +231,39 @@ static bool sum_zone_table(const murk_offsets *o, double *sum)
 murk_status murk_offsets_escape(murk_context *context, murk_pairwise *p)
 {
     murk_offsets *o = &p->offsets;
-    murk_lines_through lines = {0};
-    double *zeros = p->x, *patch_ones = p->px, most = 0;
-    double *sum = murk_alloc(p->zones, sizeof *sum), *zone_sum = p->y;
-    if (!sum || !sum_zone_table(o, sum)) {
-        murk_free(sum);
-        return murk_fail(context, MURK_ERROR_MEMORY, "pairwise: out of memory for row sums");
+    bool ground = p->sight.ground, horizon = ground && p->sight.ground->horizon;
+    double *by_cell = murk_alloc(p->zones, sizeof *by_cell);
+    murk_status status = MURK_OK;
+    if (!by_cell || !sum_zone_table(o, by_cell))
+        status = murk_fail(context, MURK_ERROR_MEMORY, "pairwise: out of memory for row sums");
+    else if (ground)
+        status = find_upwards(context, p);
+    if (status) {
+        murk_free(by_cell);
+        return status;
     }
-    memset(zeros, 0, p->zones * sizeof *zeros);
-    memset(zone_sum, 0, p->zones * sizeof *zone_sum);
-    for (size_t i = 0; i < p->patches; i++)
-        patch_ones[i] = 1;
-    murk_offsets_patches(p, zeros, patch_ones, zone_sum, p->py);
-    for (size_t c = 0; c < p->zones; c++) {
-        zone_sum[o->number[c]] += sum[c];
-        most = fmax(most, zone_sum[o->number[c]] / p->weight[o->number[c]]);
-    }
-    murk_free(sum);
+    double most = sum_rows(p, by_cell, p->sky);
     double scale = most > 1 ? 1 / most : 1;
     for (size_t i = 0; i < table_count(o); i++) {
         o->zone[i] *= scale;
         if (o->patch)
             o->patch[i] *= scale;
     }
-    murk_status status = murk_lines_through_create(context, BASE_LINES, &lines);
-    if (status)
-        return status;
-    bool ground = p->sight.ground, horizon = ground && p->sight.ground->horizon;
-#pragma omp parallel for schedule(dynamic, 64) num_threads(p->threads)
-    for (size_t k = 0; k < p->zones; k++) {
-        double rest = p->weight[k] - zone_sum[k] * scale, others = 0;
+    for (size_t c = 0; c < p->zones; c++) {
+        size_t k = o->number[c];
+        double rest = fmax(0, p->weight[k] - p->sky[k] * scale), others = 0;
         float *row = p->other_matrix + k * p->other_count;
         for (size_t i = 0; i < p->other_count; i++)
             others += row[i];
         if (others > rest)
             for (size_t i = 0; i < p->other_count; i++)
-                row[i] *= (float)(fmax(0, rest) / others);
+                row[i] *= (float)(rest / others);
         rest = fmax(0, rest - others);
-        murk_near near = {0};
-        if (ground && rest > 1e-7 * p->weight[k])
-            murk_near_escape(&p->sight, &lines, p->cell[k], &near);
-        double share = near.up + near.down > 0 ? near.up / (near.up + near.down) : 1;
-        p->sky[k] = rest * share;
-        p->horizon[k] = horizon ? rest * (1 - share) : 0;
+        double up = ground ? p->y[k] * (p->weight[k] - scale * by_cell[c]) : rest;
+        p->sky[k] = fmin(rest, fmax(0, up));
+        p->horizon[k] = horizon ? rest - p->sky[k] : 0;
     }
-    murk_lines_through_clear(&lines);
+    murk_free(by_cell);
     return MURK_OK;
 }
 
@@ -252,8 +286,8 @@ murk_status murk_pairwise_offsets(murk_context *context, murk_pairwise *p)
     o->in = murk_alloc(p->zones, sizeof *o->in);
     o->out = murk_alloc(p->zones, sizeof *o->out);
     murk_status memory = MURK_ERROR_MEMORY;
-    if (!o->number || !o->zone || !o->aligned || !o->cell || !o->patch_at ||
-        !o->aligned_at || !o->in || !o->out)
+    if (!o->number || !o->zone || !o->aligned || !o->cell || !o->patch_at || !o->aligned_at ||
+        !o->in || !o->out)
         return murk_fail(context, memory, "pairwise: out of memory for %zu zones", p->zones);
     for (size_t k = 0; k < p->zones; k++) {
         const int32_t *c = p->cell[k];

@@ -14,9 +14,9 @@ typedef struct murk_sight {
     double box[3];             /* the zones lie in [0, box] */
     double kappa_uniform;      /* where the zones fill the box with one kappa_t; else 0 */
     double kappa_max;
-    double a[3], b[3], up[3];  /* unit vectors of the ground's coordinates */
-    double origin[3];          /* the frame's origin in (a, b, height above the ground) */
-    double clearance;          /* height of the box above the ground; negative: it is cut */
+    double a[3], b[3], up[3]; /* unit vectors of the ground's coordinates */
+    double origin[3];         /* the frame's origin in (a, b, height above the ground) */
+    double clearance;         /* height of the box above the ground; negative: it is cut */
 } murk_sight;
 
 void murk_sight_init(murk_sight *sight, const murk_medium *medium, const murk_ground *ground);

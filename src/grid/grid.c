@@ -172,6 +172,8 @@ murk_status murk_grid_create(murk_context *context, const murk_bricks *bricks, b
         goto failed;
     }
     find_box(grid);
+    for (int a = 0; a < 3; a++)
+        grid->middle[a] = ((double)grid->hi[a] - grid->lo[a]) / 2;
     for (int c = 0; c < 3; c++) {
         grid->corner[c] = bricks->index_to_world[4 * c + 3];
         for (int a = 0; a < 3; a++)

@@ -27,6 +27,7 @@ typedef struct murk_grid {
     double axis[3][3];    /* axis[a]: unit vector in the world along index axis a */
     double corner[3];     /* world position of the grid frame's origin */
     double volume;        /* of a voxel [m^3] */
+    double middle[3];     /* of the box in cells from lo: lattices of lines are laid out about it */
     int32_t *bucket;      /* hash table of brick numbers, MURK_NO_BRICK where free */
     size_t bucket_mask;
 } murk_grid;

@@ -1,23 +1,23 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Image files: which formats there are, and what goes into each. */
+#include "beside.h"
 #include "context.h"
 #include "image.h"
-#include "target.h"
 
 #include <errno.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define EIGHT_BIT_LIST ".png, .jpg, .tif, .bmp, .tga or .ppm"
+#define EIGHT_BIT_LIST ".png, .jpg, .bmp, .tga or .ppm"
 
 /* Whether path names an 8-bit format; fails where murk writes no such format. */
 static murk_status image_format(murk_context *context, const char *path, bool *eight_bit)
 {
-    static const char *const EIGHT_BIT[] = {"png",  "jpg", "jpeg", "tif",
-                                            "tiff", "bmp", "tga",  "ppm"};
+    static const char *const EIGHT_BIT[] = {"png", "jpg", "jpeg", "bmp", "tga", "ppm"};
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
     const char *dot = strrchr(name, '.');
     if (!dot || dot == name)
@@ -46,7 +46,7 @@ murk_status murk_output_check(murk_context *context, const char *path)
     if (!strcmp(path, "-"))
         return MURK_OK;
     murk_status status = vdb ? MURK_OK : image_format(context, path, &eight_bit);
-    return status == MURK_OK ? murk_target_check(context, path) : status;
+    return status == MURK_OK ? murk_beside_check(context, path) : status;
 }
 
 murk_status murk_image_read(murk_context *context, const char *path, murk_image **out)
@@ -59,9 +59,10 @@ murk_status murk_image_read(murk_context *context, const char *path, murk_image 
     return murk_oiio_read(context, path, out);
 }
 
-static murk_status image_store(murk_context *context, const murk_image *image,
-                               const murk_target *target, bool eight_bit,
-                               const murk_image_write_options *options)
+/* The file's bytes, from malloc. */
+static murk_status image_encode(murk_context *context, const murk_image *image, const char *path,
+                                bool eight_bit, const murk_image_write_options *options,
+                                void **bytes, size_t *size)
 {
     murk_oiio_pixels pixels = {
         .width = image->width,
@@ -73,20 +74,20 @@ static murk_status image_store(murk_context *context, const murk_image *image,
         .units = options->units,
     };
     if (!eight_bit)
-        return murk_oiio_write(context, target->temporary, target->path, &pixels);
+        return murk_oiio_encode(context, path, &pixels, bytes, size);
 
     static const char *const RGB[] = {"R", "G", "B"};
-    uint8_t *bytes = murk_alloc((size_t)image->width * image->height, 3);
-    if (!bytes)
-        return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", target->path);
+    uint8_t *display = murk_alloc((size_t)image->width * image->height, 3);
+    if (!display)
+        return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
     double exposure = isnan(options->exposure) ? murk_display_exposure(image) : options->exposure;
-    murk_display_encode(image, exposure, bytes);
+    murk_display_encode(image, exposure, display);
     pixels.channels = 3;
     pixels.names = RGB;
     pixels.floats = NULL;
-    pixels.bytes = bytes;
-    murk_status status = murk_oiio_write(context, target->temporary, target->path, &pixels);
-    murk_free(bytes);
+    pixels.bytes = display;
+    murk_status status = murk_oiio_encode(context, path, &pixels, bytes, size);
+    murk_free(display);
     return status;
 }
 
@@ -95,12 +96,22 @@ murk_status murk_image_write(murk_context *context, const murk_image *image, con
 {
     static const murk_image_write_options DEFAULTS = MURK_IMAGE_WRITE_DEFAULT;
     bool eight_bit;
-    murk_target target;
+    void *bytes = NULL;
+    size_t size = 0;
+    murk_beside file;
     murk_status status = image_format(context, path, &eight_bit);
     if (status == MURK_OK)
-        status = murk_target_open(context, path, &target);
-    if (status != MURK_OK)
-        return status;
-    status = image_store(context, image, &target, eight_bit, options ? options : &DEFAULTS);
-    return murk_target_close(context, &target, status);
+        status = image_encode(context, image, path, eight_bit, options ? options : &DEFAULTS,
+                              &bytes, &size);
+    if (status == MURK_OK)
+        status = murk_beside_open(context, path, &file);
+    if (status == MURK_OK) {
+        status = murk_beside_write(context, &file, bytes, size);
+        if (status == MURK_OK)
+            status = murk_beside_finish(context, &file);
+        else
+            murk_beside_discard(&file);
+    }
+    free(bytes);
+    return status;
 }

@@ -46,9 +46,10 @@ typedef struct murk_oiio_pixels {
 murk_status murk_oiio_read(murk_context *context, const char *path,
                            murk_image **out) MURK_IMAGE_NOEXCEPT;
 
-/* Writes the file at path; messages call it shown. */
-murk_status murk_oiio_write(murk_context *context, const char *path, const char *shown,
-                            const murk_oiio_pixels *pixels) MURK_IMAGE_NOEXCEPT;
+/* The bytes of an image file in the format of path's extension, in *bytes from malloc. */
+murk_status murk_oiio_encode(murk_context *context, const char *path,
+                             const murk_oiio_pixels *pixels, void **bytes,
+                             size_t *size) MURK_IMAGE_NOEXCEPT;
 
 #ifdef __cplusplus
 }

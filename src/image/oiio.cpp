@@ -3,12 +3,17 @@
 #include "context.h"
 #include "image.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
@@ -117,22 +122,28 @@ OIIO::ImageSpec output_spec(const murk_oiio_pixels &pixels)
     return spec;
 }
 
-murk_status write_image(murk_context *context, const char *path, const char *shown,
-                        const murk_oiio_pixels &pixels)
+// Encoded in memory: OpenImageIO does not notice every failure to write.
+murk_status encode_image(murk_context *context, const char *path, const murk_oiio_pixels &pixels,
+                         void **bytes, size_t *size)
 {
+    OIIO::Filesystem::IOVecOutput memory;
     std::unique_ptr<OIIO::ImageOutput> file = OIIO::ImageOutput::create(path);
-    if (!file)
-        return murk_fail(context, MURK_ERROR_IO, "%s: cannot write: %s", shown,
-                         one_line(OIIO::geterror()).c_str());
+    if (!file || !file->set_ioproxy(&memory))
+        return murk_fail(context, MURK_ERROR_INTERNAL, "%s: OpenImageIO cannot write this format",
+                         path);
     file->threads(context->threads);
-    bool written = file->open(path, output_spec(pixels)) &&
+    bool encoded = file->open(path, output_spec(pixels)) &&
                    (pixels.floats ? file->write_image(OIIO::TypeFloat, pixels.floats)
-                                  : file->write_image(OIIO::TypeUInt8, pixels.bytes));
-    std::string reason = written ? "" : one_line(file->geterror());
-    if (!file->close() && written)
-        reason = one_line(file->geterror());
-    if (!reason.empty())
-        return murk_fail(context, MURK_ERROR_IO, "%s: cannot write: %s", shown, reason.c_str());
+                                  : file->write_image(OIIO::TypeUInt8, pixels.bytes)) &&
+                   file->close();
+    if (!encoded)
+        return murk_fail(context, MURK_ERROR_INTERNAL, "%s: %s", path,
+                         one_line(file->geterror()).c_str());
+    *bytes = std::malloc(memory.buffer().size());
+    if (!*bytes)
+        throw std::bad_alloc();
+    *size = memory.buffer().size();
+    std::memcpy(*bytes, memory.buffer().data(), *size);
     return MURK_OK;
 }
 
@@ -143,8 +154,8 @@ murk_status murk_oiio_read(murk_context *context, const char *path, murk_image *
     return guard(context, path, [&] { return read_image(context, path, out); });
 }
 
-murk_status murk_oiio_write(murk_context *context, const char *path, const char *shown,
-                            const murk_oiio_pixels *pixels) noexcept
+murk_status murk_oiio_encode(murk_context *context, const char *path,
+                             const murk_oiio_pixels *pixels, void **bytes, size_t *size) noexcept
 {
-    return guard(context, shown, [&] { return write_image(context, path, shown, *pixels); });
+    return guard(context, path, [&] { return encode_image(context, path, *pixels, bytes, size); });
 }

@@ -42,17 +42,78 @@ static double least_eigenvalue(const murk_lanczos *t)
     return high;
 }
 
+/* Splits b into its part on rows without scattering, where x = b, and the rest; one is 1 there.
+   False where there is no first part. */
+static bool split(const murk_system *system, const murk_vector *b, murk_vector *fixed,
+                  murk_vector *free, murk_vector *one)
+{
+    const murk_medium *medium = system->medium;
+    bool any = false;
+    for (size_t i = 0; i < system->slots; i++) {
+        bool scatters = medium->kappa_t[i] > 0 && murk_value(&medium->albedo, i) > 0;
+        fixed->zone[i] = scatters ? 0 : b->zone[i];
+        free->zone[i] = scatters ? b->zone[i] : 0;
+        one->zone[i] = scatters;
+        any = any || fixed->zone[i] != 0;
+    }
+    for (size_t i = 0; i < system->patches; i++) {
+        bool reflects = system->ground->reflectance[i] > 0;
+        fixed->patch[i] = reflects ? 0 : b->patch[i];
+        free->patch[i] = reflects ? b->patch[i] : 0;
+        one->patch[i] = reflects;
+        any = any || fixed->patch[i] != 0;
+    }
+    return any;
+}
+
+/* Sets x to the best start in the span of b and 1 and r to b - L x; p, q, s are work space. */
+static murk_status start(murk_system *system, const murk_vector *b, murk_vector *x, murk_vector *r,
+                         murk_vector *p, murk_vector *q, murk_vector *s)
+{
+    murk_status status = MURK_OK;
+    murk_vector_copy(system, b, r);
+    if (split(system, b, x, p, s)) {
+        status = murk_system_apply(system, x, q);
+        if (status)
+            return status;
+        murk_vector_add(system, -1, q, r); /* what b and 1 have to make up for */
+    }
+    double rb = murk_vector_product(system, r, p), r1 = murk_vector_product(system, r, s);
+    status = murk_system_apply(system, p, q);
+    if (status)
+        return status;
+    double bb = murk_vector_product(system, p, q), b1 = murk_vector_product(system, s, q);
+    murk_vector_add(system, -1, q, r);
+    murk_vector_add(system, 1, p, x); /* x = b, r = b - L b */
+    status = murk_system_apply(system, s, q);
+    if (status)
+        return status;
+    double one = murk_vector_product(system, s, q), determinant = bb * one - b1 * b1;
+    if (!(bb > 0) || !(one > 0) || !(determinant > 1e-6 * bb * one))
+        return MURK_OK;
+    double cb = (rb * one - r1 * b1) / determinant, c1 = (r1 * bb - rb * b1) / determinant;
+    murk_vector_add(system, cb - 1, p, x);
+    murk_vector_add(system, c1, s, x);
+    murk_vector_add(system, -c1, q, r);
+    status = murk_system_apply(system, p, q);
+    if (!status)
+        murk_vector_add(system, 1 - cb, q, r);
+    return status;
+}
+
 murk_status murk_conjugate_gradients(murk_system *system, const murk_vector *b, murk_vector *x,
                                      double relative, double absolute, int max_iterations,
                                      murk_cg_result *result)
 {
-    murk_vector r = {0}, p = {0}, q = {0};
+    murk_vector r = {0}, p = {0}, q = {0}, s = {0};
     murk_lanczos lanczos = {0};
     murk_status status = murk_vector_create(system, &r);
     if (!status)
         status = murk_vector_create(system, &p);
     if (!status)
         status = murk_vector_create(system, &q);
+    if (!status)
+        status = murk_vector_create(system, &s);
     lanczos.diagonal = murk_alloc((size_t)max_iterations, sizeof(double));
     lanczos.off = murk_alloc((size_t)max_iterations, sizeof(double));
     if (!status && (!lanczos.diagonal || !lanczos.off))
@@ -60,13 +121,9 @@ murk_status murk_conjugate_gradients(murk_system *system, const murk_vector *b, 
     if (status)
         goto done;
 
-    /* x = b solves the rows without scattering, so that they never enter the iteration. */
-    murk_vector_copy(system, b, x);
-    status = murk_system_apply(system, x, &q);
+    status = start(system, b, x, &r, &p, &q, &s);
     if (status)
         goto done;
-    murk_vector_copy(system, b, &r);
-    murk_vector_add(system, -1, &q, &r);
     murk_vector_copy(system, &r, &p);
     double rr = murk_vector_product(system, &r, &r), least = 1, last_a = 1, last_b = 0;
     *result = (murk_cg_result){0};
@@ -103,6 +160,7 @@ done:
     murk_vector_clear(&r);
     murk_vector_clear(&p);
     murk_vector_clear(&q);
+    murk_vector_clear(&s);
     murk_free(lanczos.diagonal);
     murk_free(lanczos.off);
     return status;

@@ -12,7 +12,9 @@ typedef struct murk_cg_result {
 } murk_cg_result;
 
 /*
- * Solves L x = b by conjugate gradients in the system's inner product, from x = 0, until the error
+ * Solves L x = b by conjugate gradients in the system's inner product, from the best combination of
+ * b (the solution without multiple scattering) and a constant (the solution in an isothermal
+ * enclosure, and the slowest part of the error in a thick medium), until the error
  * estimate is below `absolute` or `relative` times the norm of x, or after max_iterations.
  */
 murk_status murk_conjugate_gradients(murk_system *system, const murk_vector *b, murk_vector *x,

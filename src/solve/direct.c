@@ -105,6 +105,7 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
                           .patches = solution->ground ? solution->ground->patch_count : 0,
                           .cost = 1};
     murk_vector b = {0}, x = {0};
+    murk_outside outside;
     murk_status status = system.method->init(context, solution->medium, solution->ground, options,
                                              &system.state);
     if (status)
@@ -115,7 +116,7 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
     if (!status)
         status = murk_vector_create(&system, &x);
     if (!status)
-        status = murk_source_build(&system, solution, stage, &b);
+        status = murk_source_build(&system, solution, stage, &b, &outside);
     bool paper = options->solver == MURK_GAUSS_SEIDEL;
     if (!status)
         status = paper ? gauss_seidel(&system, options, &b, &x, report)
@@ -129,8 +130,11 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
         report_counts(&system, options, report);
         double solved = murk_seconds();
         report->seconds_solve = solved - ready;
-        status = murk_finish(context, solution, stage, x.zone, solution->ground ? x.patch : NULL,
-                             FINISH_DIRECTIONS, 1, true);
+        status = murk_finish(context, solution, stage,
+                             &(murk_solved){.zone = x.zone,
+                                            .patch = solution->ground ? x.patch : NULL,
+                                            .directions = FINISH_DIRECTIONS,
+                                            .rays = 1});
         for (size_t i = 0; !status && i < system.patches; i++) {
             solution->patch[i] = x.patch[i];
             float rho = solution->ground->reflectance[i];

@@ -113,34 +113,63 @@ static void fill_margin(murk_solution *solution, const murk_stage *stage, const 
                                       grid->brick[b][1] * 8 + (s >> 3 & 7),
                                       grid->brick[b][2] * 8 + (s & 7)};
             float albedo = margin_albedo(solution->medium, voxel, mean);
-            solution->radiosity[i] = fmaxf(0, albedo * (net[i] + stage->beam[i] / 4));
+            solution->radiosity[i] = albedo * (net[i] + stage->beam[i] / 4);
         }
 }
 
-static void fill_zones(murk_solution *solution, const murk_stage *stage, const float *zone,
-                       const float *net, bool keep)
+/* Sums over the zones for the energies and the rebalance [W]. */
+struct sums {
+    double emitted, absorbed;
+    double gained;  /* 4 kappa V (B' - x): what one more application adds */
+    double carried; /* 4 kappa V L x */
+};
+
+static struct sums fill_zones(murk_solution *solution, const murk_stage *stage,
+                              const murk_solved *solved, const float *net)
 {
     const murk_medium *medium = solution->medium;
     const murk_grid *from = medium->grid;
-    murk_report *report = &solution->report;
-    double emitted = 0, absorbed = 0, volume = 4 * from->volume;
+    struct sums sums = {0};
+    double volume = 4 * from->volume;
     for (size_t b = 0; b < from->brick_count; b++)
         for (size_t s = 0; s < MURK_BRICK_SLOTS; s++) {
             size_t i = b * MURK_BRICK_SLOTS + s,
                    o = (size_t)stage->map[b] * MURK_BRICK_SLOTS + s;
-            double kappa_t = medium->kappa_t[i];
-            if (!(kappa_t > 0))
+            double weight = volume * medium->kappa_t[i];
+            if (!(weight > 0))
                 continue;
-            double albedo = murk_value(&medium->albedo, i);
-            double emission = murk_value(&medium->emission, i);
-            double incident = (double)net[o] + zone[i] + stage->beam[o] / 4; /* G/4 */
-            emitted += volume * kappa_t * (1 - albedo) * emission;
-            absorbed += volume * kappa_t * (1 - albedo) * incident;
-            solution->radiosity[o] =
-                keep ? zone[i] : (float)fmax(0, albedo * incident + (1 - albedo) * emission);
+            double albedo = murk_value(&medium->albedo, i), x = solved->zone[i];
+            double emission = (1 - albedo) * murk_value(&medium->emission, i);
+            double incident = (double)net[o] + x + stage->beam[o] / 4; /* G/4 */
+            double after = albedo * incident + emission;
+            sums.emitted += weight * emission;
+            sums.absorbed += weight * (1 - albedo) * incident;
+            sums.gained += weight * (after - x);
+            if (solved->source)
+                sums.carried += weight * (solved->source[i] - (after - x));
+            solution->radiosity[o] = (float)(solved->source ? after : x);
         }
-    report->energy_emitted = emitted;
-    report->energy_absorbed = absorbed;
+    return sums;
+}
+
+/* The factor 1 + s on x that balances the energies; 1 where the sources are elsewhere. */
+static double find_rebalance(const struct sums *sums)
+{
+    double s = sums->carried > 0 ? sums->gained / sums->carried : 0;
+    return fabs(s) < 0.05 ? 1 + s : 1;
+}
+
+static void rebalance(murk_solution *solution, const murk_stage *stage, const murk_solved *solved,
+                      double factor)
+{
+    const murk_medium *medium = solution->medium;
+    for (size_t b = 0; b < medium->grid->brick_count; b++)
+        for (size_t s = 0; s < MURK_BRICK_SLOTS; s++) {
+            size_t i = b * MURK_BRICK_SLOTS + s;
+            float *value = &solution->radiosity[(size_t)stage->map[b] * MURK_BRICK_SLOTS + s];
+            if (medium->kappa_t[i] > 0)
+                *value = (float)(solved->source[i] + factor * (*value - solved->source[i]));
+        }
 }
 
 static void fill_patches(murk_solution *solution, const murk_stage *stage, const float *incident)
@@ -154,9 +183,13 @@ static void fill_patches(murk_solution *solution, const murk_stage *stage, const
     }
 }
 
-/* emitted + sun + diffuse = absorbed + escaped; `net` is what the lines bring in minus carry out. */
-static void fill_balance(murk_report *report, double sun, double diffuse, double net)
+/* emitted + sun + diffuse = absorbed + escaped. net is what the lines bring in minus carry out,
+   diffuse what the medium takes of the light from outside. */
+static void fill_balance(murk_report *report, const struct sums *sums, double sun, double diffuse,
+                         double net)
 {
+    report->energy_emitted = sums->emitted;
+    report->energy_absorbed = sums->absorbed;
     report->energy_sun = sun;
     report->energy_diffuse = diffuse;
     report->energy_escaped = diffuse - net;
@@ -165,8 +198,27 @@ static void fill_balance(murk_report *report, double sun, double diffuse, double
     report->energy_balance = sources > 0 ? fabs(sources - lost) / sources : 0;
 }
 
+static void fill(murk_solution *solution, const murk_stage *stage, const murk_solved *solved,
+                 const float *net, const float *incident, double net_power, double diffuse)
+{
+    fill_margin(solution, stage, net);
+    fill_patches(solution, stage, incident);
+    struct sums sums = fill_zones(solution, stage, solved, net);
+    double factor = find_rebalance(&sums);
+    if (solved->source && factor != 1) {
+        const murk_outside *outside = &solved->outside;
+        rebalance(solution, stage, solved, factor);
+        sums.absorbed = outside->absorbed + factor * (sums.absorbed - outside->absorbed);
+        net_power = outside->diffuse + factor * (net_power - outside->diffuse);
+        diffuse = outside->diffuse + factor * (diffuse - outside->diffuse);
+    }
+    for (size_t i = 0; i < solution->grid->brick_count * MURK_BRICK_SLOTS; i++)
+        solution->radiosity[i] = fmaxf(0, solution->radiosity[i]);
+    fill_balance(&solution->report, &sums, stage->extinguished, diffuse, net_power);
+}
+
 murk_status murk_finish(murk_context *context, murk_solution *solution, const murk_stage *stage,
-                        const float *zone, const float *patch, int directions, int rays, bool keep)
+                        const murk_solved *solved)
 {
     const murk_grid *grid = solution->grid;
     size_t slots = grid->brick_count * MURK_BRICK_SLOTS;
@@ -179,23 +231,20 @@ murk_status murk_finish(murk_context *context, murk_solution *solution, const mu
         status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu voxels",
                            grid->zone_count);
     if (!status)
-        status = murk_lines_create(context, grid, stage->kappa_t, solution->ground, directions,
-                                   rays, &lines);
+        status = murk_lines_create(context, grid, stage->kappa_t, solution->ground,
+                                   solved->directions, solved->rays, &lines);
     if (!status) {
-        murk_stage_spread(stage, solution->medium->grid, zone, source);
-        murk_radiosity in = {source, patch, M_PI * solution->sky_radiance, solution->horizon};
+        murk_stage_spread(stage, solution->medium->grid, solved->zone, source);
+        murk_radiosity in = {source, solved->patch, M_PI * solution->sky_radiance,
+                             solution->horizon};
         murk_incident all = {net, solution->ground ? incident : NULL, 0};
         murk_incident outside = {0};
         status = murk_lines_apply(context, lines, &in, &all);
         in.zone = NULL;
         if (!status)
             status = murk_lines_apply(context, lines, &in, &outside);
-        if (!status) {
-            fill_margin(solution, stage, net);
-            fill_zones(solution, stage, zone, net, keep);
-            fill_patches(solution, stage, incident);
-            fill_balance(&solution->report, stage->extinguished, outside.net_power, all.net_power);
-        }
+        if (!status)
+            fill(solution, stage, solved, net, incident, all.net_power, outside.net_power);
     }
     murk_lines_release(lines);
     murk_free(source);

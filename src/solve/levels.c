@@ -23,6 +23,7 @@ typedef struct murk_levels {
     murk_system coarse, fine;
     murk_lines *lines[2];
     murk_vector b, x, r, d;
+    murk_outside outside;
     int iterations;
     double angular, iteration; /* estimated relative errors of x */
 } murk_levels;
@@ -87,23 +88,35 @@ static murk_status correct(murk_levels *levels, double goal, double *first)
     return MURK_OK;
 }
 
+/* The solution on the coarse quadrature, with the coarse right-hand side: a scene whose solution
+   the quadrature does not matter to is solved by that. */
+static murk_status begin(murk_levels *levels, const murk_solution *solution,
+                         const murk_stage *stage, double goal)
+{
+    murk_cg_result result;
+    murk_status status = murk_source_build(&levels->coarse, solution, stage, &levels->b, &levels->outside);
+    if (!status)
+        status = murk_conjugate_gradients(&levels->coarse, &levels->b, &levels->x, goal, 0,
+                                          levels->options->max_iterations, &result);
+    if (!status)
+        levels->iterations += result.iterations;
+    return status;
+}
+
 /* Chooses ever finer quadratures until the angular part fits into the tolerance. */
 static murk_status refine(murk_levels *levels, murk_solution *solution, const murk_stage *stage)
 {
     const murk_solve_options *o = levels->options;
     double goal = 0.1 * o->tolerance;
     int directions = o->directions ? o->directions : 4 * COARSE, last = COARSE;
-    murk_status status;
+    murk_status status = MURK_OK;
     for (bool begun = false;; begun = true) {
-        status = set_level(levels, solution, 1, directions, o->rays);
+        if (!begun)
+            status = begin(levels, solution, stage, goal);
         if (!status)
-            status = murk_source_build(&levels->fine, solution, stage, &levels->b);
-        if (!status && !begun) {
-            murk_cg_result result;
-            status = murk_conjugate_gradients(&levels->coarse, &levels->b, &levels->x, goal, 0,
-                                              o->max_iterations, &result);
-            levels->iterations += result.iterations;
-        }
+            status = set_level(levels, solution, 1, directions, o->rays);
+        if (!status)
+            status = murk_source_build(&levels->fine, solution, stage, &levels->b, &levels->outside);
         double first = 0;
         if (!status)
             status = correct(levels, goal, &first);
@@ -152,9 +165,13 @@ murk_status murk_solve_lines(murk_context *context, murk_solution *solution,
         report_levels(&levels, &solution->report);
         double solved = murk_seconds();
         solution->report.seconds_solve = solved - start;
-        status = murk_finish(context, solution, stage, levels.x.zone,
-                             solution->ground ? levels.x.patch : NULL,
-                             murk_lines_directions(levels.lines[1]), options->rays, false);
+        status = murk_finish(context, solution, stage,
+                             &(murk_solved){.zone = levels.x.zone,
+                                            .patch = solution->ground ? levels.x.patch : NULL,
+                                            .source = levels.b.zone,
+                                            .outside = levels.outside,
+                                            .directions = murk_lines_directions(levels.lines[1]),
+                                            .rays = options->rays});
         solution->report.seconds_finish = murk_seconds() - solved;
     }
     for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)

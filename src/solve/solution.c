@@ -29,6 +29,7 @@ murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
     murk_solution *solution = murk_alloc(1, sizeof *solution);
     if (!solution)
         return murk_fail(context, MURK_ERROR_MEMORY, "out of memory");
+    solution->context = context;
     solution->medium = murk_medium_share(scene->medium);
     solution->ground = murk_ground_share(scene->ground);
     solution->sun = scene->sun;
@@ -41,6 +42,11 @@ murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
                 (murk_beam_on_ground(ground, &scene->sun) + M_PI * scene->sky_radiance);
     murk_status status = murk_grid_dilate(context, scene->medium->input, MARGIN, &solution->grid);
     if (!status) {
+        /* The same lines cross the zones here as on the medium's own grid. */
+        const murk_grid *zones = scene->medium->grid;
+        for (int a = 0; a < 3 && zones->brick_count; a++)
+            solution->grid->middle[a] =
+                zones->middle[a] + ((double)zones->lo[a] - solution->grid->lo[a]);
         size_t patches = ground ? ground->patch_count : 0;
         solution->radiosity =
             murk_alloc(solution->grid->brick_count * MURK_BRICK_SLOTS, sizeof(float));

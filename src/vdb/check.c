@@ -51,30 +51,38 @@ static const sized *find_size(const sized *list, size_t count, const char *type)
     return NULL;
 }
 
-/* Entries of a metadata map; entry (may be NULL) learns where the delayed-load entry is. */
-static void skip_metadata(murk_cursor *c, murk_vdb_entry *entry)
+/* One entry of a metadata map; grid (may be NULL) learns what matters of its own. */
+static void skip_metadatum(murk_cursor *c, murk_vdb_entry *grid)
 {
-    char type[MURK_VDB_NAME];
-    uint64_t count = murk_take_number(c, 4);
-    if (entry)
-        entry->metadata_count = (uint32_t)count;
-    for (; count > 0 && !c->trouble; count--) {
-        uint64_t start = c->at;
-        murk_skip(c, murk_take_number(c, 4));
-        murk_take_string(c, type);
-        uint64_t size = murk_take_number(c, 4);
-        const sized *known =
-            find_size(metadata_sizes, sizeof metadata_sizes / sizeof *metadata_sizes, type);
-        if (known && known->size != size)
-            murk_cursor_fail(c, "metadata of a wrong size");
+    char name[MURK_VDB_NAME], type[MURK_VDB_NAME];
+    uint64_t start = c->at;
+    murk_take_string(c, name);
+    murk_take_string(c, type);
+    uint64_t size = murk_take_number(c, 4);
+    const sized *known =
+        find_size(metadata_sizes, sizeof metadata_sizes / sizeof *metadata_sizes, type);
+    if (known && known->size != size)
+        murk_cursor_fail(c, "metadata of a wrong size");
+    bool half = grid && !strcmp(name, "is_saved_as_half_float") && !strcmp(type, "bool");
+    if (half)
+        grid->is_half = murk_take_number(c, 1) != 0;
+    else
         murk_skip(c, size);
-        if (!entry || strcmp(type, "__delayedload"))
-            continue;
-        if (entry->delayed != entry->delayed_end)
-            murk_cursor_fail(c, "metadata that are there twice");
-        entry->delayed = start;
-        entry->delayed_end = c->at;
-    }
+    if (!grid || strcmp(type, "__delayedload"))
+        return;
+    if (grid->delayed != grid->delayed_end)
+        murk_cursor_fail(c, "metadata that are there twice");
+    grid->delayed = start;
+    grid->delayed_end = c->at;
+}
+
+static void skip_metadata(murk_cursor *c, murk_vdb_entry *grid)
+{
+    uint64_t count = murk_take_number(c, 4);
+    if (grid)
+        grid->metadata_count = (uint32_t)count;
+    for (; count > 0 && !c->trouble; count--)
+        skip_metadatum(c, grid);
 }
 
 static void skip_transform(murk_cursor *c, const murk_vdb_header *header)

@@ -34,6 +34,7 @@ typedef struct murk_vdb_entry {
     uint64_t tree;
     uint64_t end; /* of the grid; 0 where it is not known */
     uint32_t compression;
+    bool is_half; /* as the metadata say, which OpenVDB goes by */
 } murk_vdb_entry;
 
 /* Checks all that comes before the grids. */

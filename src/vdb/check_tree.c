@@ -209,6 +209,8 @@ const char *murk_vdb_check_tree(const void *bytes, uint64_t size, const murk_vdb
     w.type = find_type(entry->type, &w.is_half);
     if (!w.type)
         return "murk does not know its type";
+    if (w.is_half != entry->is_half)
+        return "its type and its metadata differ about 16-bit floats";
     skip_tree(&w);
     if (!w.c.trouble && !entry->end)
         entry->end = entry->start + w.c.at;

@@ -41,13 +41,25 @@ struct output : murk_beside {
 
 constexpr float half_max = 65504.0f;
 
-openvdb::math::Transform::Ptr make_transform(const double index_to_world[16])
+/* OpenVDB simplifies a new transform by way of transformed points, which loses the last bits far
+   from the origin; so the translation comes afterwards. */
+openvdb::math::Transform::Ptr make_transform(const double m[16])
 {
-    openvdb::Mat4d matrix;
-    for (int row = 0; row < 4; row++)
-        for (int column = 0; column < 4; column++)
-            matrix[column][row] = index_to_world[4 * row + column];
-    return openvdb::math::Transform::createLinearTransform(matrix);
+    openvdb::Mat4d linear = openvdb::Mat4d::identity();
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++)
+            linear[column][row] = m[4 * row + column];
+    auto transform = openvdb::math::Transform::createLinearTransform(linear);
+    if (m[3] != 0 || m[7] != 0 || m[11] != 0)
+        transform->postTranslate(openvdb::Vec3d(m[3], m[7], m[11]));
+    return transform;
+}
+
+/* Transform::copy() would simplify; this shares what stands behind it. */
+openvdb::math::Transform::Ptr share_transform(const murk_vdb &vdb, size_t index)
+{
+    return openvdb::math::Transform::Ptr(
+        new openvdb::math::Transform(vdb.items[index].grid->transform()));
 }
 
 openvdb::FloatGrid::Ptr make_grid(const murk_bricks &bricks)
@@ -133,9 +145,8 @@ murk_status murk_vdb_write(murk_context *context, const char *path, const murk_v
             openvdb::FloatGrid::Ptr grid = make_grid(*from.bricks);
             grid->setName(from.name);
             grid->setSaveFloatAsHalf(as_half);
-            grid->setTransform(transform_of
-                                   ? transform_of->items[transform_index].grid->transform().copy()
-                                   : make_transform(from.bricks->index_to_world));
+            grid->setTransform(transform_of ? share_transform(*transform_of, transform_index)
+                                            : make_transform(from.bricks->index_to_world));
             written.push_back(grid);
         }
         return put(context, path, written, make_metadata(meta, meta_count));

@@ -1,2 +1,2 @@
-# A file system without room for names stands in for one that refuses, for root too.
+# /proc takes no new file, from root neither.
 murk image fixtures/puff.vdb -q --size 8x8 -o /proc/a.exr

@@ -1,1 +1,1 @@
-murk solve fixtures/puff.vdb -o r.vdb --method pairwise --solver gauss-seidel
+murk solve fixtures/no_ground.json -o r.vdb --method pairwise --solver gauss-seidel

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Output that appears whole or not at all: written beside its target, then renamed. */
-#ifndef MURK_VDB_BESIDE_H
-#define MURK_VDB_BESIDE_H
+#ifndef MURK_CORE_BESIDE_H
+#define MURK_CORE_BESIDE_H
 
 #include "context.h"
 
@@ -16,9 +16,16 @@ typedef struct murk_beside {
     char *temporary;
 } murk_beside;
 
+/* Fails as murk_beside_open() would, as far as that can be told without making a file. */
+murk_status murk_beside_check(murk_context *context, const char *path);
+
 /* Opens the output for a path; "-" is standard output, which must not be a terminal. The path must
    outlive *out. */
 murk_status murk_beside_open(murk_context *context, const char *path, murk_beside *out);
+
+/* Writes size bytes. */
+murk_status murk_beside_write(murk_context *context, murk_beside *beside, const void *bytes,
+                              size_t size);
 
 /* Closes the output and renames it to its target. */
 murk_status murk_beside_finish(murk_context *context, murk_beside *beside);

@@ -66,6 +66,40 @@ murk_status murk_beside_open(murk_context *context, const char *path, murk_besid
     return MURK_OK;
 }
 
+murk_status murk_beside_check(murk_context *context, const char *path)
+{
+    struct stat info;
+    const char *slash = strrchr(path, '/');
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    murk_status status = MURK_OK;
+    if (!folder)
+        status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory");
+    else if (!stat(path, &info) && S_ISDIR(info.st_mode))
+        status = murk_fail(context, MURK_ERROR_INPUT, "%s: a directory; name a file in it", path);
+    else if (stat(folder, &info) || access(folder, W_OK | X_OK))
+        status = murk_fail(context, MURK_ERROR_IO, "%s: cannot be written: folder %s: %s", path,
+                           folder, strerror(errno));
+    free(folder);
+    return status;
+}
+
+murk_status murk_beside_write(murk_context *context, murk_beside *beside, const void *bytes,
+                              size_t size)
+{
+    const char *next = bytes;
+    while (size > 0) {
+        ssize_t written = write(beside->file, next, size);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return murk_fail(context, MURK_ERROR_IO, "%s: cannot be written: %s", beside->where,
+                             strerror(errno));
+        next += written;
+        size -= (size_t)written;
+    }
+    return MURK_OK;
+}
+
 static void forget(murk_beside *beside)
 {
     free(beside->target);
