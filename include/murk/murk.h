@@ -153,9 +153,14 @@ typedef struct murk_quantity {
     double value;
 } murk_quantity;
 
+/** An extinction value that stands for the density-like grid itself. */
+#define MURK_FROM_GRID (-1.0)
+
 typedef struct murk_medium_options {
-    /** kappa_t [1/m]. With grid NULL and a positive value: that value wherever the density-like
-     *  grid is positive; with value 0: the density-like grid times scale. */
+    /** kappa_t [1/m]. With grid NULL and a value >= 0: that value wherever the density-like grid is
+     *  positive; with MURK_FROM_GRID: the density-like grid times scale. Densities of simulations
+     *  carry no unit: scale 0 chooses the one of ..., 1, 2, 5, 10, 20, ... that brings the deepest
+     *  column of the grid nearest to 5 optical depths (murk_medium_info tells which). */
     murk_quantity extinction;
     murk_quantity albedo;   /**< single-scattering albedo kappa_s/kappa_t in [0, 1] */
     murk_quantity emission; /**< E [W/m^2] >= 0 */
@@ -166,7 +171,7 @@ typedef struct murk_medium_options {
 
 #define MURK_MEDIUM_DEFAULT                                                                        \
     {                                                                                              \
-        .extinction = {NULL, 1.0, 0.0}, .albedo = {NULL, 1.0, 0.9},                                \
+        .extinction = {NULL, 0.0, MURK_FROM_GRID}, .albedo = {NULL, 1.0, 0.9},                     \
         .emission = {NULL, 1.0, 0.0}, .corner = false, .strict = false, .voxel_size = 0.0          \
     }
 
@@ -204,6 +209,7 @@ typedef struct murk_medium_info {
     uint64_t invalid_voxels; /**< treated as empty: NaN, infinite or negative */
     double voxel_size[3];    /**< m */
     double box_min[3], box_max[3]; /**< world-space box around the zones [m] */
+    double extinction_scale; /**< kappa_t per unit of the grid; 0 where it is not from a grid */
     double kappa_t_max;      /**< 1/m */
     double mean_depth;       /**< mean optical depth along the shortest index axis, over columns with zones */
     double max_depth;

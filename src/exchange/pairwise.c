@@ -251,7 +251,7 @@ static murk_status apply(murk_context *context, void *state, const murk_radiosit
     for (size_t i = 0; i < p->patches; i++)
         p->px[i] = in->patch ? in->patch[i] : 0;
     memset(p->y, 0, p->zones * sizeof *p->y);
-    if (!p->matrix)
+    if (p->offsets.zone)
         murk_offsets_zones(p, p->x, p->y);
     murk_offsets_patches(p, p->x, p->px, p->y, p->py);
     apply_matrices(p, p->x, p->px, p->y);
@@ -272,7 +272,7 @@ static murk_status apply(murk_context *context, void *state, const murk_radiosit
 static double row(void *state, size_t element, const double *x, double *self)
 {
     const murk_pairwise *p = state;
-    double sum = p->matrix ? 0 : murk_offsets_row(p, element, x);
+    double sum = p->offsets.zone ? murk_offsets_row(p, element, x) : 0;
     *self = 0;
     if (element >= p->zones) {
         size_t patch = element - p->zones;

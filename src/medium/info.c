@@ -48,7 +48,8 @@ murk_status murk_medium_info_get(const murk_medium *medium, murk_medium_info *ou
     murk_medium_info info = {.zones = grid->zone_count,
                              .bricks = grid->brick_count,
                              .input_voxels = medium->input->zone_count,
-                             .invalid_voxels = medium->invalid_voxels};
+                             .invalid_voxels = medium->invalid_voxels,
+                             .extinction_scale = medium->extinction_scale};
     memcpy(info.voxel_size, grid->voxel, sizeof info.voxel_size);
     for (int c = 0; c < 8; c++) {
         double frame[3], world[3];

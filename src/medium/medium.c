@@ -145,6 +145,7 @@ murk_status murk_medium_build(murk_context *context, murk_medium_parts *parts, m
     }
     medium->references = 1;
     medium->corner = parts->corner;
+    medium->extinction_scale = parts->extinction_scale;
     status = clean_extinction(context, parts, &medium->invalid_voxels);
     if (!status)
         status = make_grids(context, medium, parts);

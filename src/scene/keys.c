@@ -154,6 +154,7 @@ bool scene_read_quantity(struct scene_reader *reader, const json_t *value, void 
     murk_quantity *quantity = field;
     if (json_is_number(value))
         return scene_read_number(reader, value, &quantity->value, key);
+    quantity->scale = 1; /* a grid that is named is taken as it is */
     if (json_is_string(value))
         return scene_read_text(reader, value, &quantity->grid, key);
     if (json_is_object(value))

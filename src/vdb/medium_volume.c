@@ -25,6 +25,12 @@ static murk_status check_number(const assembly *a, const char *key, double numbe
                      a->path, key, number);
 }
 
+/* Whether the extinction is one value wherever the grid is positive. */
+static bool is_uniform(const murk_quantity *extinction)
+{
+    return !extinction->grid && extinction->value != MURK_FROM_GRID;
+}
+
 static murk_status check_options(const assembly *a)
 {
     const murk_medium_options *options = a->options;
@@ -32,7 +38,7 @@ static murk_status check_options(const assembly *a)
         const char *key;
         double number;
     } numbers[] = {
-        {"extinction", options->extinction.value},
+        {"extinction", is_uniform(&options->extinction) ? options->extinction.value : 0},
         {"extinction scale", options->extinction.scale},
         {"albedo", options->albedo.grid ? 0 : options->albedo.value},
         {"albedo scale", options->albedo.grid ? options->albedo.scale : 0},
@@ -96,6 +102,24 @@ static void override_voxel_size(const assembly *a, murk_bricks *bricks)
             bricks->index_to_world[4 * row + column] *= ratio;
 }
 
+/* The scale out of 1, 2, 5, 10, ... that brings the deepest column nearest to 5 optical depths:
+   coarse steps, so that the frames of a sequence mostly agree. */
+static double choose_scale(const assembly *a)
+{
+    const murk_grid_info *info = murk_vdb_info(a->volume->vdb, a->extinction);
+    double depth = info->max_depth;
+    if (a->options->voxel_size > 0)
+        depth *= a->options->voxel_size / info->voxel_size[0];
+    if (!(depth > 0) || !isfinite(5 / depth))
+        return 1;
+    double decade = pow(10, floor(log10(5 / depth))), best = decade;
+    const double steps[] = {2, 5, 10};
+    for (int i = 0; i < 3; i++)
+        if (fabs(log(steps[i] * decade * depth / 5)) < fabs(log(best * depth / 5)))
+            best = steps[i] * decade;
+    return best;
+}
+
 static murk_status take_extinction(assembly *a)
 {
     murk_bricks *bricks = &a->parts.kappa_t;
@@ -104,11 +128,13 @@ static murk_status take_extinction(assembly *a)
     if (status)
         return status;
     override_voxel_size(a, bricks);
-    bool constant = !quantity->grid && quantity->value > 0;
+    bool uniform = is_uniform(quantity);
+    double scale = quantity->scale > 0 ? quantity->scale : choose_scale(a);
+    a->parts.extinction_scale = uniform ? 0 : scale;
     for (size_t i = 0; i < bricks->count * MURK_BRICK_SLOTS; i++) {
         float *value = &bricks->values[i];
-        if (!constant)
-            *value *= (float)quantity->scale;
+        if (!uniform)
+            *value *= (float)scale;
         else if (*value > 0 && isfinite(*value))
             *value = (float)quantity->value;
     }
