@@ -2,7 +2,6 @@
 /* The sample case of [BG91], section 5, by the paper's method and by lines: 04_paper_box */
 #include <murk/murk.h>
 
-#include <math.h>
 #include <stdio.h>
 
 enum { ZONES = 10 }; /* along each axis */
@@ -10,12 +9,10 @@ enum { ZONES = 10 }; /* along each axis */
 /* kappa_a = 0.3, kappa_t = 0.8. */
 static murk_status make_medium(murk_context *context, murk_medium **out)
 {
-    const murk_array box = {
-        .size = {ZONES, ZONES, ZONES},
-        .voxel_size = {0.1, 0.1, 0.05},
-        .kappa_t_value = 0.8,
-        .albedo_value = 0.5 / 0.8,
-    };
+    const murk_array box = {.size = {ZONES, ZONES, ZONES},
+                            .voxel_size = {0.1, 0.1, 0.05},
+                            .kappa_t_value = 0.8,
+                            .albedo_value = 0.5 / 0.8};
     return murk_medium_from_array(context, &box, out);
 }
 
@@ -40,11 +37,10 @@ static murk_status solve(murk_context *context, const murk_scene *scene,
     if (status)
         return status;
     const murk_report *report = murk_solution_report(*out);
-    printf("%-8s %-19s: %2d iterations, %.2f s", report->method, report->solver, report->iterations,
-           report->seconds_setup + report->seconds_solve);
+    printf("%8s, %-19s: %2d iterations, %.2f s\n", report->method, report->solver,
+           report->iterations, report->seconds_setup + report->seconds_solve);
     if (report->multiplications > 0)
-        printf(", %.3g multiplications in each (eq. 18)", report->multiplications);
-    printf("\n");
+        printf("    %.3g multiplications in each, by eq. (18)\n", report->multiplications);
     return MURK_OK;
 }
 
@@ -68,7 +64,7 @@ static murk_status run(murk_context *context, const murk_medium *medium, const m
     paper.method = MURK_PAIRWISE;
     paper.solver = MURK_GAUSS_SEIDEL;
     murk_solution *pairwise = NULL, *lines = NULL;
-    printf("the paper               : 13 iterations, 73 s\n");
+    printf("   paper, Gauss-Seidel       : 13 iterations, 73 s\n");
     murk_status status = solve(context, &scene, &paper, &pairwise);
     if (!status)
         status = solve(context, &scene, NULL, &lines);

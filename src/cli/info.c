@@ -78,13 +78,16 @@ static void print_remarks(const murk_grid_info *grid)
 static void print_verdict(const struct verdict *verdict)
 {
     const murk_medium_info *info = &verdict->info;
-    if (!verdict->medium)
+    if (!verdict->medium) {
         printf("murk takes no medium from it: %s\n", verdict->why_not);
+        return;
+    }
+    if (info->extinction_scale > 0.0)
+        printf("murk takes %g x %s as the extinction", info->extinction_scale, verdict->density);
     else
-        printf("murk takes %s as the extinction: %llu zones, at most %.4g per m; optical depth "
-               "%.4g mean, %.4g max\n",
-               verdict->density, (unsigned long long)info->zones, info->kappa_t_max,
-               info->mean_depth, info->max_depth);
+        printf("murk takes the same extinction wherever %s is positive", verdict->density);
+    printf(": %llu zones, at most %.4g per m; optical depth %.4g mean, %.4g max\n",
+           (unsigned long long)info->zones, info->kappa_t_max, info->mean_depth, info->max_depth);
 }
 
 static murk_status print_table(const murk_volume *volume, const char *path,
@@ -154,6 +157,7 @@ static json_t *medium_json(const struct verdict *verdict)
         return object;
     }
     json_object_set_new(object, "extinction", cli_json_text(verdict->density));
+    json_object_set_new(object, "extinction_scale", cli_json_number(info->extinction_scale));
     json_object_set_new(object, "zones", json_integer((json_int_t)info->zones));
     json_object_set_new(object, "bricks", json_integer((json_int_t)info->bricks));
     json_object_set_new(object, "input_voxels", json_integer((json_int_t)info->input_voxels));

@@ -42,8 +42,10 @@ static void apply_options(const struct cli_options *options, struct scene_descri
     murk_camera *camera = &description->camera;
     if (options->grid)
         medium->extinction.grid = options->grid;
-    if (!isnan(options->scale))
+    if (!isnan(options->scale)) {
         medium->extinction.scale = options->scale;
+        medium->extinction.value = MURK_FROM_GRID;
+    }
     if (options->albedo) {
         char *end;
         double value = strtod(options->albedo, &end);
@@ -94,11 +96,24 @@ murk_status cli_job_read(struct cli_job *job)
     return status;
 }
 
+/* A scale that murk chose by itself is no secret. */
+static void say_scale(struct cli_job *job)
+{
+    murk_medium_info info;
+    if (murk_medium_info_get(job->scene.medium, &info) == MURK_OK && info.zones > 0 &&
+        job->description.medium.extinction.scale == 0.0 && info.extinction_scale > 0.0)
+        cli_say(&job->terminal,
+                "extinction = %g x the grid, %.2g optical depths at most; --scale sets it",
+                info.extinction_scale, info.max_depth);
+}
+
 murk_status cli_job_build(struct cli_job *job)
 {
     char message[SCENE_MESSAGE_SIZE] = "";
     double start = cli_seconds();
     murk_status status = scene_build(job->context, &job->description, &job->scene, message);
+    if (status == MURK_OK)
+        say_scale(job);
     if (status != MURK_OK) {
         cli_error(&job->terminal, "%s", message);
     } else if (job->options->ground_radiosity && !job->scene.ground) {

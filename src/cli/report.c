@@ -139,6 +139,9 @@ void cli_report_json(const struct cli_job *job, murk_status status)
     json_object_set_new(object, "murk", json_string(MURK_VERSION));
     json_object_set_new(object, "command", cli_json_text(job->command_line));
     json_object_set_new(object, "status", json_string(status_word(status)));
+    murk_medium_info medium = {0};
+    if (murk_medium_info_get(job->scene.medium, &medium) == MURK_OK)
+        json_object_set_new(inputs, "extinction_scale", cli_json_number(medium.extinction_scale));
     json_object_set_new(object, "inputs", inputs);
     json_object_set_new(object, "outputs", outputs);
     json_object_update_new(object, solution_json(report));

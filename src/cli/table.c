@@ -45,7 +45,9 @@ static const struct cli_option TABLE[] = {
     {"json", 0, CLI_ALL, OUTPUT, NULL, "print the report as JSON on standard output", FLAG(json)},
 
     {"grid", 0, CLI_ALL, MEDIUM, "NAME", "the grid to take the extinction from", TEXT(grid)},
-    {"scale", 0, CLI_ALL, MEDIUM, "S", "extinction [1/m] = S times the grid's value",
+    {"scale", 0, CLI_ALL, MEDIUM, "S",
+     "extinction [1/m] = S times the grid's value; not given: such that the deepest column has "
+     "about 5 optical depths",
      .value = cli_value_number, FIELD(scale), POSITIVE},
     {"albedo", 0, CLI_ALL, MEDIUM, "A", "single-scattering albedo: a number or a grid's name",
      TEXT(albedo)},

@@ -29,15 +29,14 @@ typedef struct murk_boundary {
 void murk_boundary_lay(murk_boundary *boundary, const murk_grid *grid, const murk_ground *ground,
                        const murk_lattice *lattice);
 
-/* Sets the state of all lines of a plane (rows of `stride` along u) to what they bring along. */
-void murk_boundary_enter(const murk_boundary *boundary, const murk_lattice *lattice,
-                         const murk_incoming *incoming, float *plane, ptrdiff_t stride);
+/* State of the lines u ... u + n - 1, v ... v + n - 1 as they enter, rows of n along u. */
+void murk_boundary_enter(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
+                         int32_t v, int n, float *state);
 
-/* Adds power_per_line * (I_out - I_in) of each line that ends on the ground to its patches [W], and
-   returns the sum over all lines of power_per_line * (I_in - I_out); before and after are planes as
-   murk_boundary_enter() filled them and as the medium left them. */
-double murk_boundary_leave(const murk_boundary *boundary, const murk_lattice *lattice,
-                           const float *before, const float *after, ptrdiff_t stride,
-                           double power_per_line, double *patch_power);
+/* Adds power_per_line * (I_out - I_in) of the same lines to the patches where they end on the
+   ground [W]. */
+void murk_boundary_leave(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
+                         int32_t v, int n, const float *state, double power_per_line,
+                         double *patch_power);
 
 #endif

@@ -82,7 +82,9 @@ static void tally_end(murk_near *near, int64_t end, double light)
         near->up += light;
     else if (end < 0)
         near->down += light;
-    else if (near->patch)
+    else
+        near->ground += light;
+    if (end >= 0 && near->patch)
         near->patch[end] += light;
 }
 
@@ -142,7 +144,7 @@ void murk_near_trace(const murk_sight *sight, const murk_lines_through *lines,
     size_t patches = near->patch ? sight->ground->patch_count : 0;
     if (patches)
         memset(near->patch, 0, patches * sizeof *near->patch);
-    near->self = near->chord = near->up = near->down = 0;
+    near->self = near->chord = near->up = near->down = near->ground = 0;
     for (size_t i = 0; i < lines->count; i++) {
         const double *d = lines->direction[i];
         double p[3], t[2];
@@ -161,8 +163,13 @@ void murk_near_trace(const murk_sight *sight, const murk_lines_through *lines,
     near->chord *= share;
     near->up *= share;
     near->down *= share;
+    near->ground *= share;
     for (size_t i = 0; i < patches; i++)
         near->patch[i] *= share;
+    for (size_t i = 0; i < count; i++) {
+        near->length[i] *= share;
+        near->caught[i] *= share;
+    }
 }
 
 double murk_near_upwards(const murk_sight *sight, const murk_lines_through *lines,

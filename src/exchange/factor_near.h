@@ -22,12 +22,13 @@ void murk_lines_through_clear(murk_lines_through *lines);
    (dx + reach[0]) * (2 reach[1] + 1) * (2 reach[2] + 1) + ... */
 typedef struct murk_near {
     int reach[3];
-    double *length; /* sum of the lengths in each zone [m] */
-    double *caught; /* sum of what it takes of each line's light, over its kappa_t [m] */
+    double *length; /* mean length in each zone [m] */
+    double *caught; /* mean share of the light that it takes, over its kappa_t [m] */
     double self;    /* mean share that the zone takes of its own light */
     double chord;   /* mean of half the optical length of the chords: self in a thin zone */
     double up;      /* share that leaves upwards, or everywhere without a ground */
     double down;    /* share that meets the ground beside the patches */
+    double ground;  /* share that meets any patch */
     double *patch;  /* share that meets each patch; NULL: not asked for */
 } murk_near;
 

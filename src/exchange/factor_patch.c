@@ -56,6 +56,37 @@ static double transmitted(const view *v, const double p[3], double x, double y, 
            exp(-murk_sight_depth(sight, p, d, t[1], r));
 }
 
+/* A patch that fills much of the view, in parts by their solid angles. */
+static double view_wide(const view *v, const double p[3], const double x[2], const double y[2],
+                        double h)
+{
+    enum { PARTS = 4 };
+    double near_x = nearest(x), near_y = nearest(y), end_x[PARTS + 1], end_y[PARTS + 1], sum = 0;
+    cut(x, sqrt(h * h + near_y * near_y), PARTS, end_x);
+    cut(y, sqrt(h * h + near_x * near_x), PARTS, end_y);
+    for (int i = 0; i < PARTS; i++)
+        for (int j = 0; j < PARTS; j++)
+            sum +=
+                solid_angle(end_x + i, end_y + j, h) *
+                transmitted(v, p, (end_x[i] + end_x[i + 1]) / 2, (end_y[j] + end_y[j + 1]) / 2, h);
+    return sum;
+}
+
+/* A patch at some distance: Gauss points, two an axis, or its middle. */
+static double view_narrow(const view *v, const double p[3], const double x[2], const double y[2],
+                          double h, bool middle)
+{
+    double spread = middle ? 0 : 0.5 / sqrt(3), sum = 0, weights = 0;
+    for (int i = 0; i < (middle ? 1 : 4); i++) {
+        double at_x = (x[0] + x[1]) / 2 + (i & 1 ? spread : -spread) * (x[1] - x[0]);
+        double at_y = (y[0] + y[1]) / 2 + (i & 2 ? spread : -spread) * (y[1] - y[0]);
+        double weight = pow(at_x * at_x + at_y * at_y + h * h, -1.5); /* of cos(theta) / r^2 */
+        sum += weight * transmitted(v, p, at_x, at_y, h);
+        weights += weight;
+    }
+    return solid_angle(x, y, h) * sum / weights;
+}
+
 static double from_point(const view *v, const double p[3])
 {
     double at[3];
@@ -66,17 +97,7 @@ static double from_point(const view *v, const double p[3])
     double near_x = nearest(x), near_y = nearest(y);
     double distance = sqrt(h * h + near_x * near_x + near_y * near_y);
     double wide = fmax(x[1] - x[0], y[1] - y[0]) / distance;
-    int count = wide > 1 ? 4 : wide > 0.3 ? 2 : 1;
-    double end_x[5], end_y[5], sum = 0;
-    cut(x, sqrt(h * h + near_y * near_y), count, end_x);
-    cut(y, sqrt(h * h + near_x * near_x), count, end_y);
-    for (int i = 0; i < count; i++)
-        for (int j = 0; j < count; j++) {
-            double middle_x = (end_x[i] + end_x[i + 1]) / 2,
-                   middle_y = (end_y[j] + end_y[j + 1]) / 2;
-            sum += solid_angle(end_x + i, end_y + j, h) * transmitted(v, p, middle_x, middle_y, h);
-        }
-    return sum;
+    return wide > 1 ? view_wide(v, p, x, y, h) : view_narrow(v, p, x, y, h, wide < 0.1);
 }
 
 static double from_part(const view *v, const double lo[3], const double hi[3])
@@ -100,7 +121,7 @@ static double from_part(const view *v, const double lo[3], const double hi[3])
         return from_part(v, lo, low_hi) + from_part(v, high_lo, hi);
     }
     double volume = (hi[0] - lo[0]) * (hi[1] - lo[1]) * (hi[2] - lo[2]);
-    if (edge < 0.2 * distance)
+    if (edge < 0.2 * distance && v->kappa * edge < 0.1)
         return volume * from_point(v, middle);
     double sum = 0;
     for (int i = 0; i < 8; i++) { /* Gauss points, two an axis */

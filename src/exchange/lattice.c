@@ -17,26 +17,6 @@ int murk_lattice_signs(const double direction[3])
     return (direction[0] > 0) | (direction[1] > 0) << 1 | (direction[2] > 0) << 2;
 }
 
-static int32_t aligned_lo(const murk_grid *grid, int a)
-{
-    return (grid->lo[a] & ~7) - grid->lo[a];
-}
-
-static int32_t aligned_hi(const murk_grid *grid, int a)
-{
-    return ((grid->hi[a] + 7) & ~7) - grid->lo[a];
-}
-
-int32_t murk_lattice_layers(const murk_grid *grid)
-{
-    int32_t most = 0;
-    for (int a = 0; a < 3; a++) {
-        int32_t layers = aligned_hi(grid, a) - aligned_lo(grid, a);
-        most = layers > most ? layers : most;
-    }
-    return most;
-}
-
 /* Where in the layer (0 at entry, 1 at exit) the line crosses the face between two cells: beyond 1
    when it does not. `from` is the position in the entry cell, `change` its change to the exit. */
 static double crossing(double from, double change)
@@ -78,8 +58,7 @@ static void lay_layer(murk_layer *layer, const double entry[2], const double cha
     }
 }
 
-void murk_lattice_lay(murk_lattice *lattice, const murk_grid *grid, const murk_line *line,
-                      murk_layer *layer)
+void murk_lattice_lay(murk_lattice *lattice, const murk_grid *grid, const murk_line *line)
 {
     int axis = murk_lattice_axis(grid, line->direction);
     lattice->axis = axis;
@@ -89,9 +68,8 @@ void murk_lattice_lay(murk_lattice *lattice, const murk_grid *grid, const murk_l
     lattice->span = line->span;
     lattice->weight = line->weight;
     lattice->middle = grid->middle[axis];
-    double along = fabs(line->direction[axis]) / grid->voxel[axis]; /* layers per metre */
-    double length = 1 / along;
-    lattice->area = grid->volume / length;
+    lattice->length = grid->voxel[axis] / fabs(line->direction[axis]);
+    lattice->area = grid->volume / lattice->length;
     const int axes[2] = {lattice->u, lattice->v};
     for (int a = 0; a < 3; a++)
         lattice->direction[a] = line->direction[a];
@@ -100,29 +78,33 @@ void murk_lattice_lay(murk_lattice *lattice, const murk_grid *grid, const murk_l
         lattice->slope[c] = line->direction[axes[c]] / grid->voxel[axes[c]] /
                             (line->direction[axis] / grid->voxel[axis]);
     }
-    lattice->first_layer = aligned_lo(grid, axis);
-    lattice->layers = aligned_hi(grid, axis) - lattice->first_layer;
-    lattice->layer = layer;
+}
 
-    int32_t most[2] = {INT32_MIN, INT32_MIN}, least[2] = {INT32_MAX, INT32_MAX};
-    for (int32_t k = 0; k < lattice->layers; k++) {
-        double c_in = lattice->first_layer + k + (lattice->sign < 0);
+void murk_lattice_layers(const murk_lattice *lattice, const murk_grid *grid, int32_t brick,
+                         murk_layers *out)
+{
+    for (int c = 0; c < 2; c++) {
+        out->first[c] = INT32_MAX;
+        out->last[c] = INT32_MIN;
+    }
+    for (int32_t k = 0; k < MURK_BRICK_EDGE; k++) {
+        double c_in = (double)brick * MURK_BRICK_EDGE + k - grid->lo[lattice->axis] +
+                      (lattice->sign < 0);
         double entry[2], change[2];
         for (int c = 0; c < 2; c++) {
             entry[c] = lattice->offset[c] + lattice->slope[c] * (c_in - lattice->middle);
             change[c] = lattice->slope[c] * lattice->sign;
         }
-        lay_layer(&layer[k], entry, change, length);
-        for (int c = 0; c < 2; c++) {
-            int d = change[c] > 0 ? 1 : change[c] < 0 ? -1 : 0;
-            int32_t low = layer[k].shift[c] + (d < 0 ? d : 0);
-            int32_t high = layer[k].shift[c] + (d > 0 ? d : 0);
-            least[c] = low < least[c] ? low : least[c];
-            most[c] = high > most[c] ? high : most[c];
+        lay_layer(&out->layer[k], entry, change, lattice->length);
+        for (int s = 0; s < out->layer[k].count; s++) {
+            const murk_segment *segment = &out->layer[k].segment[s];
+            const int d[2] = {segment->du, segment->dv};
+            for (int c = 0; c < 2; c++) {
+                int32_t at = out->layer[k].shift[c] + d[c];
+                out->first[c] = -at < out->first[c] ? -at : out->first[c];
+                out->last[c] = MURK_BRICK_EDGE - 1 - at > out->last[c] ? MURK_BRICK_EDGE - 1 - at
+                                                                       : out->last[c];
+            }
         }
-    }
-    for (int c = 0; c < 2; c++) {
-        lattice->ray_lo[c] = aligned_lo(grid, axes[c]) - most[c];
-        lattice->ray_hi[c] = aligned_hi(grid, axes[c]) - least[c];
     }
 }

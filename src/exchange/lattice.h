@@ -29,22 +29,29 @@ typedef struct murk_layer {
     murk_segment segment[3];
 } murk_layer;
 
+/* The layers of all bricks with one coordinate on the dominant axis. The lines that meet a brick
+   whose first voxel is (u, v) are u + first[0] ... u + last[0], and likewise along v. */
+typedef struct murk_layers {
+    murk_layer layer[MURK_BRICK_EDGE];
+    int32_t first[2], last[2];
+} murk_layers;
+
+/* The most lines of a lattice that meet a brick, along u or v: 8, and 9 by their slope. */
+enum { MURK_WINDOW = 17 };
+
 /*
  * In cells relative to grid->lo, with c the coordinate on the dominant axis and m the middle of
  * the grid, line r is at r + offset + slope * (c - m) on the axes u and v. One line a face, so each
  * voxel is crossed by lines of the total length that its volume demands: sum of length * area = V.
  */
 typedef struct murk_lattice {
-    int axis, u, v;     /* dominant axis; u < v in memory order: v runs over rows, u along them */
+    int axis, u, v;     /* dominant axis; u > v in memory order: v runs over rows, u along them */
     int sign;           /* of travel along axis */
     double direction[3];
     double offset[2], slope[2], middle; /* [0] along u, [1] along v */
     double span, weight;
+    double length;      /* of a line within a layer [m] */
     double area;        /* perpendicular cross-section of a whole face [m^2] */
-    int32_t first_layer; /* cell coordinate of layer[0], brick-aligned */
-    int32_t layers;
-    murk_layer *layer;
-    int32_t ray_lo[2], ray_hi[2]; /* numbers of the lines that meet the bricks; hi exclusive */
 } murk_lattice;
 
 /* Dominant axis of a direction in voxels, and the signs of travel packed in bits 0..2 for x, y, z:
@@ -52,10 +59,10 @@ typedef struct murk_lattice {
 int murk_lattice_axis(const murk_grid *grid, const double direction[3]);
 int murk_lattice_signs(const double direction[3]);
 
-/* Lays out one line; layer needs room for murk_lattice_layers(). */
-void murk_lattice_lay(murk_lattice *lattice, const murk_grid *grid, const murk_line *line,
-                      murk_layer *layer);
-/* The most layers a grid has along any axis. */
-int32_t murk_lattice_layers(const murk_grid *grid);
+void murk_lattice_lay(murk_lattice *lattice, const murk_grid *grid, const murk_line *line);
+
+/* The layers of the bricks with the given brick coordinate on the lattice's dominant axis. */
+void murk_lattice_layers(const murk_lattice *lattice, const murk_grid *grid, int32_t brick,
+                         murk_layers *out);
 
 #endif

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Distances in units of the longest zone edge. */
 static const double NEAR = 3;  /* up to here factors come from the lines through each zone */
@@ -91,10 +92,16 @@ static double kappa_of(const murk_pairwise *p, size_t zone)
     return p->sight.kappa_t[p->slot[zone]];
 }
 
+/* Where the light of each zone goes, apart from the zones near it [m^2]. */
+typedef struct leaving {
+    double *up, *down, *ground; /* as in murk_near */
+    double *far;                /* to zones that are not near */
+} leaving;
+
 /* Row m as the lines through zone m have it: near factors (-1 where no line met the neighbour),
    self-factor, and what leaves the medium without meeting a patch. */
 static void near_row(murk_pairwise *p, const geometry *g, const murk_lines_through *lines, size_t m,
-                     murk_near *near, double *up, double *down)
+                     murk_near *near, leaving *out)
 {
     double kappa = kappa_of(p, m);
     int offset[3] = {0, 0, 0};
@@ -102,8 +109,10 @@ static void near_row(murk_pairwise *p, const geometry *g, const murk_lines_throu
     murk_near_trace(&p->sight, lines, p->cell[m], kappa, near);
     double thin = kappa * kappa * geometry_factor(g, offset);
     p->self[m] = near->chord > 0 ? thin * near->self / near->chord : thin;
-    *up = p->weight[m] * near->up;
-    *down = p->weight[m] * near->down;
+    out->up[m] = p->weight[m] * near->up;
+    out->down[m] = p->weight[m] * near->down;
+    out->ground[m] = p->weight[m] * near->ground;
+    double far = 1 - near->self - near->up - near->down - near->ground;
     for (size_t i = 0; near->patch && i < p->other_count; i++)
         p->other_matrix[m * p->other_count + i] = (float)(p->weight[m] * near->patch[p->other[i]]);
     for (size_t k = 0; k < p->zones; k++) {
@@ -117,7 +126,9 @@ static void near_row(murk_pairwise *p, const geometry *g, const murk_lines_throu
                      ? (float)(kappa * kappa_of(p, k) * geometry_factor(g, offset) *
                                near->caught[index] / near->length[index])
                      : -1;
+        far -= kappa_of(p, k) * near->caught[index];
     }
+    out->far[m] = p->weight[m] * fmax(0, far);
 }
 
 /* The rest of row m up to the diagonal, and the same column. */
@@ -136,6 +147,53 @@ static void finish_row(murk_pairwise *p, const geometry *g, size_t m)
                                           kappa_of(p, k));
         *one = *other = (float)(weight * factor);
     }
+}
+
+/* What the lines say over what the factors sum to, where both are sure enough to tell. */
+static double correction(double lines, double sum, double weight)
+{
+    return sum > 0 && lines > 0.002 * weight ? fmin(2, fmax(0.5, lines / sum)) : 1;
+}
+
+/*
+ * Factors of far zones and patches are even, but a few lines between two thick zones miss their
+ * corners, from which most of the light escapes. The lines through a zone are scattered over single
+ * far elements but right for their sum: each row's factors are scaled to it.
+ */
+static bool correct_far(murk_pairwise *p, const geometry *g, const leaving *out)
+{
+    double *root = murk_alloc(p->zones, sizeof *root);
+    if (!root)
+        return false;
+#pragma omp parallel num_threads(p->threads)
+    {
+#pragma omp for
+        for (size_t m = 0; m < p->zones; m++) {
+            float *row = p->matrix + m * p->zones, *patch = p->other_matrix + m * p->other_count;
+            double sum = 0, ground = 0;
+            for (size_t k = 0; k < p->zones; k++) {
+                int offset[3];
+                pair_offset(p, m, k, offset);
+                sum += is_near(g->size, offset) ? 0 : row[k];
+            }
+            root[m] = p->windowed ? 1 : sqrt(correction(out->far[m], sum, p->weight[m]));
+            for (size_t i = 0; i < p->other_count; i++)
+                ground += patch[i];
+            double scale = correction(out->ground[m], ground, p->weight[m]);
+            for (size_t i = 0; i < p->other_count; i++)
+                patch[i] *= (float)scale;
+        }
+#pragma omp for
+        for (size_t m = 0; m < p->zones; m++)
+            for (size_t k = 0; k < p->zones; k++) {
+                int offset[3];
+                pair_offset(p, m, k, offset);
+                if (!is_near(g->size, offset))
+                    p->matrix[m * p->zones + k] *= (float)(root[m] * root[k]);
+            }
+    }
+    murk_free(root);
+    return true;
 }
 
 /* Sum of row k over all zones and patches with the scales d of zones, and what leaves. */
@@ -198,7 +256,7 @@ static bool close_rows(murk_pairwise *p, double *up, double *down)
 }
 
 static bool fill(murk_context *context, murk_pairwise *p, const geometry *g,
-                 const murk_lines_through *lines, double *up, double *down)
+                 const murk_lines_through *lines, leaving *out)
 {
     bool complete = true, cut = p->sight.clearance < 0;
     size_t done = 0;
@@ -219,7 +277,7 @@ static bool fill(murk_context *context, murk_pairwise *p, const geometry *g,
         if (go) {
 #pragma omp for schedule(dynamic, 4)
             for (size_t m = 0; m < p->zones; m++)
-                near_row(p, g, lines, m, &near, up + m, down + m);
+                near_row(p, g, lines, m, &near, out);
 #pragma omp for schedule(dynamic, 4)
             for (size_t m = 0; m < p->zones; m++) {
                 finish_row(p, g, m);
@@ -243,25 +301,23 @@ murk_status murk_pairwise_dense(murk_context *context, murk_pairwise *p)
 {
     geometry g = {0};
     murk_lines_through lines = {0};
-    double *down = murk_alloc(p->zones, sizeof *down);
-    p->matrix = murk_alloc(p->zones * p->zones, sizeof *p->matrix);
-    p->self = murk_alloc(p->zones, sizeof *p->self);
-    murk_status status = MURK_OK;
-    if (down && p->matrix && p->self && geometry_create(&g, p->sight.grid, p->threads))
-        status =
-            murk_lines_through_create(context, murk_lines_through_base(1 << 19, p->zones), &lines);
-    else
-        status = murk_fail(context, MURK_ERROR_MEMORY, "pairwise: out of memory for %zu zones",
-                           p->zones);
-    if (!status && (!fill(context, p, &g, &lines, p->sky, down) ||
-                    (!p->windowed && !close_rows(p, p->sky, down))))
-        status = murk_fail(context, MURK_ERROR_MEMORY, "pairwise: out of memory for %zu zones",
-                           p->zones);
-    if (!status && p->sight.ground && p->sight.ground->horizon)
-        for (size_t k = 0; k < p->zones; k++)
-            p->horizon[k] = down[k];
+    size_t n = p->zones;
+    double *rest = murk_alloc(3 * n, sizeof *rest);
+    leaving out = {.up = p->sky, .down = rest, .ground = rest + n, .far = rest + 2 * n};
+    p->matrix = murk_alloc(n * n, sizeof *p->matrix);
+    p->self = murk_alloc(n, sizeof *p->self);
+    murk_status status = MURK_ERROR_MEMORY;
+    if (rest && p->matrix && p->self && geometry_create(&g, p->sight.grid, p->threads) &&
+        !murk_lines_through_create(context, murk_lines_through_base(1 << 19, n), &lines) &&
+        fill(context, p, &g, &lines, &out) && correct_far(p, &g, &out) &&
+        (p->windowed || close_rows(p, out.up, out.down)))
+        status = MURK_OK;
+    if (status)
+        murk_fail(context, status, "pairwise: out of memory for %zu zones", n);
+    else if (p->sight.ground && p->sight.ground->horizon)
+        memcpy(p->horizon, out.down, n * sizeof *p->horizon);
     murk_lines_through_clear(&lines);
     murk_free(g.table);
-    murk_free(down);
+    murk_free(rest);
     return status;
 }

@@ -18,6 +18,9 @@ struct murk_sweep {
     int line_count;
     struct block *blocks;
     int block_count;
+    int32_t *row_of[3]; /* for each brick, which of the rows along an axis it lies in */
+    int32_t *row[3];    /* brick coordinate of each row that holds bricks */
+    int row_count[3];
     int32_t *order[4];  /* bricks so that each stands behind those upstream, for signs +++ ... ++- */
     float *brick_kappa; /* largest kappa_t of each brick */
     murk_kernel_fn *kernel;
@@ -100,6 +103,29 @@ static bool make_orders(murk_sweep *sweep)
     return ok;
 }
 
+/* Numbers the brick coordinates that occur on one axis. */
+static bool make_rows(murk_sweep *sweep, int axis)
+{
+    const murk_grid *grid = sweep->grid;
+    struct brick_key *keys = murk_alloc(grid->brick_count, sizeof *keys);
+    sweep->row_of[axis] = murk_alloc(grid->brick_count, sizeof(int32_t));
+    sweep->row[axis] = murk_alloc(grid->brick_count, sizeof(int32_t));
+    bool ok = keys && sweep->row_of[axis] && sweep->row[axis];
+    for (size_t b = 0; ok && b < grid->brick_count; b++)
+        keys[b] = (struct brick_key){{grid->brick[b][axis]}, (int32_t)b};
+    if (ok)
+        qsort(keys, grid->brick_count, sizeof *keys, compare_bricks);
+    int count = 0;
+    for (size_t i = 0; ok && i < grid->brick_count; i++) {
+        if (!i || keys[i].c[0] != keys[i - 1].c[0])
+            sweep->row[axis][count++] = keys[i].c[0];
+        sweep->row_of[axis][keys[i].index] = count - 1;
+    }
+    sweep->row_count[axis] = count;
+    murk_free(keys);
+    return ok;
+}
+
 murk_status murk_sweep_create(murk_context *context, const murk_grid *grid, const float *kappa_t,
                               const murk_ground *ground, const murk_line *lines, int line_count,
                               murk_sweep **out)
@@ -113,7 +139,8 @@ murk_status murk_sweep_create(murk_context *context, const murk_grid *grid, cons
     murk_status status = murk_kernel_choose(context, &sweep->kernel, &sweep->kernel_name);
     if (!status) {
         sweep->brick_kappa = murk_alloc(grid->brick_count, sizeof(float));
-        if (!sweep->brick_kappa || !make_blocks(sweep, lines, line_count) || !make_orders(sweep))
+        if (!sweep->brick_kappa || !make_blocks(sweep, lines, line_count) || !make_orders(sweep) ||
+            !make_rows(sweep, 0) || !make_rows(sweep, 1) || !make_rows(sweep, 2))
             status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %d directions",
                                line_count);
     }
@@ -137,6 +164,10 @@ void murk_sweep_release(murk_sweep *sweep)
     murk_free(sweep->blocks);
     for (int o = 0; o < 4; o++)
         murk_free(sweep->order[o]);
+    for (int a = 0; a < 3; a++) {
+        murk_free(sweep->row_of[a]);
+        murk_free(sweep->row[a]);
+    }
     murk_free(sweep->brick_kappa);
     murk_free(sweep);
 }
@@ -184,9 +215,8 @@ struct worker {
     float *tally;
     double *patch_power;
     double net_power;
-    murk_layer *layer; /* MURK_BLOCK times the most layers of a lattice */
-    float *plane;      /* states of the lines of a block, and what they were at the start */
-    size_t plane_capacity;
+    murk_layers *layers; /* of the rows of each lattice in a block */
+    murk_plane plane[MURK_BLOCK];
 };
 
 struct run {
@@ -196,49 +226,44 @@ struct run {
     double power_factor;
 };
 
-static void cross_brick(const struct run *run, const struct block *block, const murk_lattice *lattice,
-                        float *const *plane, size_t b, float *tally)
+static bool cross_brick(const struct run *run, const struct block *block,
+                        const murk_lattice *lattice, struct worker *worker, size_t b)
 {
     const murk_sweep *sweep = run->sweep;
     const murk_grid *grid = sweep->grid;
+    int axis = block->axis, row = sweep->row_of[axis][b];
     _Alignas(64) float kappa_t[MURK_BRICK_SLOTS], source[MURK_BRICK_SLOTS], sum[MURK_BRICK_SLOTS];
-    to_layers(block->axis, sweep->kappa_t + b * MURK_BRICK_SLOTS, kappa_t);
+    to_layers(axis, sweep->kappa_t + b * MURK_BRICK_SLOTS, kappa_t);
     if (run->source)
-        to_layers(block->axis, run->source + b * MURK_BRICK_SLOTS, source);
+        to_layers(axis, run->source + b * MURK_BRICK_SLOTS, source);
     else
         memset(source, 0, sizeof source);
     memset(sum, 0, sizeof sum);
+    int32_t u = grid->brick[b][lattice->u] * MURK_BRICK_EDGE - grid->lo[lattice->u];
+    int32_t v = grid->brick[b][lattice->v] * MURK_BRICK_EDGE - grid->lo[lattice->v];
     for (int i = 0; i < block->count; i++) {
         const murk_lattice *l = &lattice[i];
-        int32_t cell[3];
-        for (int a = 0; a < 3; a++)
-            cell[a] = grid->brick[b][a] * MURK_BRICK_EDGE - grid->lo[a];
-        ptrdiff_t stride = l->ray_hi[0] - l->ray_lo[0];
-        double length = l->area > 0 ? grid->volume / l->area : 0;
+        const murk_layers *layers = &worker->layers[i * sweep->row_count[axis] + row];
+        murk_window window;
+        if (!murk_plane_open(&worker->plane[i], u + layers->first[0], u + layers->last[0],
+                             v + layers->first[1], v + layers->last[1], &window))
+            return false;
         sweep->kernel(&(murk_kernel_job){
             .kappa_t = kappa_t,
             .source = source,
             .tally = sum,
-            .plane = plane[i] + (cell[l->v] - l->ray_lo[1]) * stride + (cell[l->u] - l->ray_lo[0]),
-            .stride = stride,
-            .layer = l->layer + (cell[l->axis] - l->first_layer),
+            .plane = window.state - layers->first[1] * window.stride - layers->first[0],
+            .stride = window.stride,
+            .layer = layers->layer,
             .sign = l->sign,
             .weight = (float)l->weight,
-            .thin = sweep->brick_kappa[b] * length < MURK_THIN,
+            .thin = sweep->brick_kappa[b] * l->length < MURK_THIN,
         });
+        murk_plane_close(&worker->plane[i], &window);
     }
-    if (tally)
-        add_layers(block->axis, sum, tally + b * MURK_BRICK_SLOTS);
-}
-
-static bool reserve(struct worker *worker, size_t floats)
-{
-    if (floats <= worker->plane_capacity)
-        return true;
-    murk_free(worker->plane);
-    worker->plane = murk_alloc(floats, sizeof(float));
-    worker->plane_capacity = worker->plane ? floats : 0;
-    return worker->plane;
+    if (worker->tally)
+        add_layers(axis, sum, worker->tally + b * MURK_BRICK_SLOTS);
+    return true;
 }
 
 static bool run_block(const struct run *run, const struct block *block, struct worker *worker)
@@ -247,37 +272,29 @@ static bool run_block(const struct run *run, const struct block *block, struct w
     const murk_grid *grid = sweep->grid;
     murk_lattice lattice[MURK_BLOCK];
     murk_boundary boundary[MURK_BLOCK];
-    float *plane[MURK_BLOCK];
-    size_t size[MURK_BLOCK], total = 0;
-    size_t most_layers = (size_t)murk_lattice_layers(grid);
+    int rows = sweep->row_count[block->axis];
     for (int i = 0; i < block->count; i++) {
-        murk_lattice *l = &lattice[i];
-        murk_lattice_lay(l, grid, &sweep->line[block->first + i],
-                         worker->layer + (size_t)i * most_layers);
-        murk_boundary_lay(&boundary[i], grid, sweep->ground, l);
-        size[i] = (size_t)(l->ray_hi[0] - l->ray_lo[0]) * (size_t)(l->ray_hi[1] - l->ray_lo[1]);
-        total += size[i];
+        murk_lattice_lay(&lattice[i], grid, &sweep->line[block->first + i]);
+        murk_boundary_lay(&boundary[i], grid, sweep->ground, &lattice[i]);
+        if (!murk_plane_reset(&worker->plane[i], &boundary[i], run->incoming))
+            return false;
+        for (int r = 0; r < rows; r++)
+            murk_lattice_layers(&lattice[i], grid, sweep->row[block->axis][r],
+                                &worker->layers[i * rows + r]);
     }
-    if (!reserve(worker, 2 * total))
-        return false;
-    float *before = worker->plane + total;
-    for (int i = 0; i < block->count; i++) {
-        plane[i] = i ? plane[i - 1] + size[i - 1] : worker->plane;
-        murk_boundary_enter(&boundary[i], &lattice[i], run->incoming, plane[i],
-                            lattice[i].ray_hi[0] - lattice[i].ray_lo[0]);
-    }
-    memcpy(before, worker->plane, total * sizeof *before);
-    int signs = block->signs & 1 ? block->signs : ~block->signs & 7;
+    /* Bricks upstream come first: the order of the signs, or its reverse. */
+    bool ascending = block->signs & 1;
+    int signs = ascending ? block->signs : ~block->signs & 7;
     const int32_t *order = sweep->order[(~signs >> 1) & 3];
     for (size_t n = 0; n < grid->brick_count; n++) {
-        size_t at = block->signs & 1 ? n : grid->brick_count - 1 - n;
-        cross_brick(run, block, lattice, plane, (size_t)order[at], worker->tally);
+        size_t at = ascending ? n : grid->brick_count - 1 - n;
+        if (!cross_brick(run, block, lattice, worker, (size_t)order[at]))
+            return false;
     }
     for (int i = 0; i < block->count; i++)
-        worker->net_power += murk_boundary_leave(
-            &boundary[i], &lattice[i], before + (plane[i] - worker->plane), plane[i],
-            lattice[i].ray_hi[0] - lattice[i].ray_lo[0],
-            run->power_factor * lattice[i].weight * lattice[i].area, worker->patch_power);
+        worker->net_power += murk_plane_leave(
+            &worker->plane[i], run->power_factor * lattice[i].weight * lattice[i].area,
+            worker->patch_power);
     return true;
 }
 
@@ -286,13 +303,15 @@ static bool run_block(const struct run *run, const struct block *block, struct w
 static bool hire(const murk_sweep *sweep, struct worker *worker, bool tally, bool patches)
 {
     size_t slots = sweep->grid->brick_count * MURK_BRICK_SLOTS;
-    worker->layer = murk_alloc((size_t)murk_lattice_layers(sweep->grid) * MURK_BLOCK,
-                               sizeof *worker->layer);
+    int rows = 0;
+    for (int a = 0; a < 3; a++)
+        rows = sweep->row_count[a] > rows ? sweep->row_count[a] : rows;
+    worker->layers = murk_alloc((size_t)rows * MURK_BLOCK, sizeof *worker->layers);
     if (tally)
         worker->tally = murk_alloc(slots, sizeof(float));
     if (patches && sweep->ground)
         worker->patch_power = murk_alloc(sweep->ground->patch_count, sizeof(double));
-    return worker->layer && (!tally || worker->tally) &&
+    return worker->layers && (!tally || worker->tally) &&
            (!patches || !sweep->ground || worker->patch_power);
 }
 
@@ -341,8 +360,9 @@ murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, const float
     for (int t = 0; workers && t < count; t++) {
         murk_free(workers[t].tally);
         murk_free(workers[t].patch_power);
-        murk_free(workers[t].layer);
-        murk_free(workers[t].plane);
+        murk_free(workers[t].layers);
+        for (int i = 0; i < MURK_BLOCK; i++)
+            murk_plane_clear(&workers[t].plane[i]);
     }
     murk_free(workers);
     return ok ? MURK_OK

@@ -3,8 +3,8 @@
 #ifndef MURK_EXCHANGE_SWEEP_H
 #define MURK_EXCHANGE_SWEEP_H
 
-#include "boundary.h"
 #include "kernel.h"
+#include "plane.h"
 
 typedef struct murk_sweep murk_sweep;
 

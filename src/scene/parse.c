@@ -41,7 +41,7 @@ static bool read_medium(struct scene_reader *reader, const json_t *value, void *
     static const struct scene_key KEYS[] = {
         {"file", scene_read_text, FIELD(medium_file)},
         {"extinction", scene_read_quantity, FIELD(medium.extinction), .min = 0.0, .max = INFINITY,
-         .open = true, .range = "a positive number [1/m]"},
+         .range = "a number >= 0 [1/m]"},
         {"albedo", scene_read_quantity, FIELD(medium.albedo), .min = 0.0, .max = 1.0,
          .range = "between 0 and 1"},
         {"emission", scene_read_quantity, FIELD(medium.emission), NOT_NEGATIVE},

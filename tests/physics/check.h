@@ -60,6 +60,19 @@ static inline murk_context *check_context(int threads, const char *kernel)
     return context;
 }
 
+/* For a group of tests that share a context. */
+static inline int open_context(void **state)
+{
+    *state = check_context(1, NULL);
+    return 0;
+}
+
+static inline int close_context(void **state)
+{
+    murk_context_release(*state);
+    return 0;
+}
+
 static inline size_t check_count(const murk_array *array)
 {
     return (size_t)array->size[0] * (size_t)array->size[1] * (size_t)array->size[2];
@@ -72,17 +85,17 @@ static inline size_t check_at(const murk_array *array, int32_t i, int32_t j, int
 }
 
 /* A scene of an array of voxels over a ground, and its solution. */
-typedef struct world {
+struct world {
     murk_context *context;
     murk_medium *medium;
     murk_ground *ground;
     murk_scene scene;
     murk_solution *solution;
     murk_array array; /* borrowed pointers */
-} world;
+};
 
 /* ground NULL: none. Sun and sky of w->scene are the caller's to set afterwards. */
-static inline void world_open(world *w, int threads, const murk_array *array,
+static inline void world_open(struct world *w, int threads, const murk_array *array,
                               const murk_ground_options *ground)
 {
     memset(w, 0, sizeof *w);
@@ -96,7 +109,7 @@ static inline void world_open(world *w, int threads, const murk_array *array,
 
 /* Where directions are given the tolerance drives the iteration alone, so missing it is no failure;
    else the solution has to be within it. */
-static inline void world_solve(world *w, const murk_solve_options *options)
+static inline void world_solve(struct world *w, const murk_solve_options *options)
 {
     murk_solution_release(w->solution);
     w->solution = NULL;
@@ -105,7 +118,7 @@ static inline void world_solve(world *w, const murk_solve_options *options)
         fail_msg("%s", murk_context_message(w->context));
 }
 
-static inline void world_close(world *w)
+static inline void world_close(struct world *w)
 {
     murk_solution_release(w->solution);
     murk_ground_release(w->ground);
@@ -113,7 +126,7 @@ static inline void world_close(world *w)
     murk_context_release(w->context);
 }
 
-static inline double world_b(const world *w, int32_t i, int32_t j, int32_t k)
+static inline double world_b(const struct world *w, int32_t i, int32_t j, int32_t k)
 {
     return murk_solution_radiosity(w->solution, (const int32_t[3]){i, j, k});
 }

@@ -13,5 +13,4 @@ static const murk_write_options write = MURK_WRITE_DEFAULT;
 static const murk_render_options render = MURK_RENDER_DEFAULT;
 static const murk_image_write_options image = MURK_IMAGE_WRITE_DEFAULT;
 
-const void *const header_defaults[] = {&context, &medium, &ground, &solve,
-                                       &write,   &render, &image};
+const void *const header_defaults[] = {&context, &medium, &ground, &solve, &write, &render, &image};

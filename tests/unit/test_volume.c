@@ -142,6 +142,7 @@ static void test_names(void **state)
 {
     murk_medium_options options = MURK_MEDIUM_DEFAULT;
     options.extinction.grid = "density";
+    options.extinction.scale = 1;
     murk_medium *medium = make_medium(*state, "same_names.vdb", &options);
     assert_float_equal(kappa_at(medium, 0, 0, 0), 1e-9, 1e-15);
     murk_medium_release(medium);

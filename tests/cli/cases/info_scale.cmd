@@ -1,0 +1,1 @@
+murk info fixtures/puff.vdb --scale 3 | tail -1

@@ -1,0 +1,1 @@
+murk info fixtures/uniform.json | tail -1

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Lattices of lines: where each piece of a line lies, and that voxels keep their volume. */
+#include "lattice.h"
+#include "sparse.h"
+
+/* Where line r is on axis c (0: u, 1: v) when its coordinate on the dominant axis is at. */
+static double position(const murk_lattice *lattice, int c, int32_t r, double at)
+{
+    return r + lattice->offset[c] + lattice->slope[c] * (at - lattice->middle);
+}
+
+/* Follows line (ru, rv) through all layers: every piece has its middle in the voxel that it claims,
+   and adds length * area * span^2 to the volume of that voxel. */
+static void follow(const murk_grid *grid, const murk_lattice *lattice, int32_t ru, int32_t rv,
+                   double *volume)
+{
+    double voxel_length = grid->volume / lattice->area;
+    for (int32_t k = 0; k < lattice->layers; k++) {
+        const murk_layer *layer = &lattice->layer[k];
+        double sum = 0;
+        assert_in_range(layer->count, 1, 3);
+        for (int s = 0; s < layer->count; s++) {
+            const murk_segment *segment = &layer->segment[s];
+            double within = sum + segment->fraction / 2;
+            double at = lattice->first_layer + k + (lattice->sign > 0 ? within : 1 - within);
+            const int32_t cell[2] = {ru + layer->shift[0] + segment->du,
+                                     rv + layer->shift[1] + segment->dv};
+            for (int c = 0; c < 2; c++) {
+                double x = position(lattice, c, c ? rv : ru, at);
+                assert_true(x >= cell[c] - 1e-6 && x <= cell[c] + 1 + 1e-6);
+            }
+            assert_within(segment->length, segment->fraction * voxel_length, 1e-6 * voxel_length);
+            sum += segment->fraction;
+            int32_t voxel[3];
+            voxel[lattice->axis] = lattice->first_layer + k;
+            voxel[lattice->u] = cell[0];
+            voxel[lattice->v] = cell[1];
+            int64_t slot = murk_grid_slot(grid, voxel[0] + grid->lo[0], voxel[1] + grid->lo[1],
+                                          voxel[2] + grid->lo[2]);
+            if (slot >= 0)
+                volume[slot] += segment->length * lattice->area * lattice->span * lattice->span;
+        }
+        assert_within(sum, 1, 1e-6); /* fractions are floats */
+    }
+}
+
+/* With rays x rays lines a face every voxel of every brick is crossed by its own volume. */
+static void check_lattices(const murk_grid *grid, const double direction[3], int rays, double start)
+{
+    size_t slots = grid->brick_count * MURK_BRICK_SLOTS;
+    double *volume = murk_alloc(slots, sizeof *volume);
+    murk_layer *layers = murk_alloc((size_t)murk_lattice_layers(grid), sizeof *layers);
+    for (int i = 0; i < rays * rays; i++) {
+        murk_line line = {.offset = {(i % rays + start) / rays, (i / rays + start) / rays},
+                          .span = 1.0 / rays,
+                          .weight = 1};
+        memcpy(line.direction, direction, sizeof line.direction);
+        murk_lattice lattice;
+        murk_lattice_lay(&lattice, grid, &line, layers);
+        /* The perpendicular section of a face, from its edges. */
+        int a = lattice.axis;
+        double face = grid->volume / grid->voxel[a];
+        assert_within(lattice.area, face * fabs(direction[a]), 1e-12 * face);
+        for (int32_t rv = lattice.ray_lo[1]; rv < lattice.ray_hi[1]; rv++)
+            for (int32_t ru = lattice.ray_lo[0]; ru < lattice.ray_hi[0]; ru++)
+                follow(grid, &lattice, ru, rv, volume);
+    }
+    for (size_t i = 0; i < slots; i++)
+        assert_within(volume[i], grid->volume, 2e-6 * grid->volume);
+    murk_free(volume);
+    murk_free(layers);
+}
+
+static void random_directions(void **state)
+{
+    sparse s = {.low = {-1, 0, 1}, .edge = 2, .bricks = 0.7, .voxels = 0.1, .voxel = {1, 0.5, 2}};
+    uint64_t random = 7;
+    murk_grid *grid = sparse_create(*state, &s, &random);
+    for (int n = 0; n < 30; n++) {
+        double direction[3];
+        check_direction(&random, direction);
+        check_lattices(grid, direction, 1 + n % 3, n % 2 ? 0 : 0.5);
+    }
+    murk_grid_release(grid);
+}
+
+/* Along axes, face diagonals and space diagonals lines meet edges and corners. */
+static void straight_directions(void **state)
+{
+    sparse s = {.low = {-1, -1, 0}, .edge = 2, .bricks = 0.7, .voxels = 0.1, .voxel = {1, 1, 1}};
+    uint64_t random = 8;
+    murk_grid *grid = sparse_create(*state, &s, &random);
+    for (int n = 0; n < 27; n++) {
+        double d[3] = {n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1};
+        double size = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        if (n == 13)
+            continue;
+        for (int a = 0; a < 3; a++)
+            d[a] /= size;
+        check_lattices(grid, d, 1, 0.5);
+        check_lattices(grid, d, 2, 0);
+    }
+    murk_grid_release(grid);
+}
+
+/* The dominant axis is the one whose layers the direction crosses fastest. */
+static void dominant(void **state)
+{
+    sparse s = {.edge = 1, .bricks = 1, .voxels = 0.1, .voxel = {1, 0.25, 1}};
+    uint64_t random = 9;
+    murk_grid *grid = sparse_create(*state, &s, &random);
+    assert_int_equal(murk_lattice_axis(grid, (const double[3]){0.8, 0.6, 0}), 1);
+    assert_int_equal(murk_lattice_axis(grid, (const double[3]){-0.99, 0.1, 0.1}), 0);
+    assert_int_equal(murk_lattice_axis(grid, (const double[3]){0, 0.1, -0.99}), 2);
+    assert_int_equal(murk_lattice_signs((const double[3]){0.1, -0.1, 0.9}), 1 | 4);
+    murk_grid_release(grid);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(random_directions),
+        cmocka_unit_test(straight_directions),
+        cmocka_unit_test(dominant),
+    };
+    return cmocka_run_group_tests(tests, open_context, close_context);
+}
