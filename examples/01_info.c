@@ -21,7 +21,7 @@ static murk_status print_grids(const murk_volume *volume)
     return MURK_OK;
 }
 
-/* Options that are NULL stand for the defaults: here, the density grid's values in 1/m. */
+/* Options that are NULL stand for the defaults: the density, scaled to a visible depth. */
 static murk_status print_medium(murk_context *context, const murk_volume *volume)
 {
     murk_medium *medium;
@@ -31,9 +31,9 @@ static murk_status print_medium(murk_context *context, const murk_volume *volume
         return status;
     status = murk_medium_info_get(medium, &info);
     if (!status)
-        printf("medium from %s: %llu zones in %llu bricks, optical depth at most %.3g\n",
-               murk_volume_density(volume), (unsigned long long)info.zones,
-               (unsigned long long)info.bricks, info.max_depth);
+        printf("medium from %s: %llu zones, %g per m and unit, optical depth at most %.3g\n",
+               murk_volume_density(volume), (unsigned long long)info.zones, info.extinction_scale,
+               info.max_depth);
     murk_medium_release(medium);
     return status;
 }

@@ -9,38 +9,59 @@ static double position(const murk_lattice *lattice, int c, int32_t r, double at)
     return r + lattice->offset[c] + lattice->slope[c] * (at - lattice->middle);
 }
 
-/* Follows line (ru, rv) through all layers: every piece has its middle in the voxel that it claims,
+/* Follows line (ru, rv) through one layer: every piece has its middle in the voxel that it claims,
    and adds length * area * span^2 to the volume of that voxel. */
-static void follow(const murk_grid *grid, const murk_lattice *lattice, int32_t ru, int32_t rv,
-                   double *volume)
+static void follow(const murk_grid *grid, const murk_lattice *lattice, const murk_layer *layer,
+                   int32_t c, int32_t ru, int32_t rv, double *volume)
 {
-    double voxel_length = grid->volume / lattice->area;
-    for (int32_t k = 0; k < lattice->layers; k++) {
-        const murk_layer *layer = &lattice->layer[k];
+    double sum = 0;
+    for (int s = 0; s < layer->count; s++) {
+        const murk_segment *segment = &layer->segment[s];
+        double within = sum + segment->fraction / 2;
+        double at = c + (lattice->sign > 0 ? within : 1 - within);
+        const int32_t cell[2] = {ru + layer->shift[0] + segment->du,
+                                 rv + layer->shift[1] + segment->dv};
+        for (int n = 0; n < 2; n++) {
+            double x = position(lattice, n, n ? rv : ru, at);
+            assert_true(x >= cell[n] - 1e-6 && x <= cell[n] + 1 + 1e-6);
+        }
+        sum += segment->fraction;
+        int32_t voxel[3];
+        voxel[lattice->axis] = c;
+        voxel[lattice->u] = cell[0];
+        voxel[lattice->v] = cell[1];
+        int64_t slot = murk_grid_slot(grid, voxel[0] + grid->lo[0], voxel[1] + grid->lo[1],
+                                      voxel[2] + grid->lo[2]);
+        if (slot >= 0)
+            volume[slot] += segment->length * lattice->area * lattice->span * lattice->span;
+    }
+}
+
+/* All lines of a lattice that meet a brick, and those alone, in the layers of that brick. */
+static void cross_brick(const murk_grid *grid, const murk_lattice *lattice, size_t b,
+                        double *volume)
+{
+    murk_layers layers;
+    int32_t low[3];
+    murk_lattice_layers(lattice, grid, grid->brick[b][lattice->axis], &layers);
+    for (int a = 0; a < 3; a++)
+        low[a] = 8 * grid->brick[b][a] - grid->lo[a];
+    for (int c = 0; c < 2; c++)
+        assert_true(layers.last[c] - layers.first[c] < MURK_WINDOW);
+    for (int k = 0; k < 8; k++) {
+        const murk_layer *layer = &layers.layer[k];
         double sum = 0;
         assert_in_range(layer->count, 1, 3);
         for (int s = 0; s < layer->count; s++) {
-            const murk_segment *segment = &layer->segment[s];
-            double within = sum + segment->fraction / 2;
-            double at = lattice->first_layer + k + (lattice->sign > 0 ? within : 1 - within);
-            const int32_t cell[2] = {ru + layer->shift[0] + segment->du,
-                                     rv + layer->shift[1] + segment->dv};
-            for (int c = 0; c < 2; c++) {
-                double x = position(lattice, c, c ? rv : ru, at);
-                assert_true(x >= cell[c] - 1e-6 && x <= cell[c] + 1 + 1e-6);
-            }
-            assert_within(segment->length, segment->fraction * voxel_length, 1e-6 * voxel_length);
-            sum += segment->fraction;
-            int32_t voxel[3];
-            voxel[lattice->axis] = lattice->first_layer + k;
-            voxel[lattice->u] = cell[0];
-            voxel[lattice->v] = cell[1];
-            int64_t slot = murk_grid_slot(grid, voxel[0] + grid->lo[0], voxel[1] + grid->lo[1],
-                                          voxel[2] + grid->lo[2]);
-            if (slot >= 0)
-                volume[slot] += segment->length * lattice->area * lattice->span * lattice->span;
+            sum += layer->segment[s].fraction;
+            assert_within(layer->segment[s].length, layer->segment[s].fraction * lattice->length,
+                          1e-6 * lattice->length);
         }
         assert_within(sum, 1, 1e-6); /* fractions are floats */
+        for (int32_t rv = layers.first[1]; rv <= layers.last[1]; rv++)
+            for (int32_t ru = layers.first[0]; ru <= layers.last[0]; ru++)
+                follow(grid, lattice, layer, low[lattice->axis] + k, low[lattice->u] + ru,
+                       low[lattice->v] + rv, volume);
     }
 }
 
@@ -48,27 +69,30 @@ static void follow(const murk_grid *grid, const murk_lattice *lattice, int32_t r
 static void check_lattices(const murk_grid *grid, const double direction[3], int rays, double start)
 {
     size_t slots = grid->brick_count * MURK_BRICK_SLOTS;
-    double *volume = murk_alloc(slots, sizeof *volume);
-    murk_layer *layers = murk_alloc((size_t)murk_lattice_layers(grid), sizeof *layers);
+    double *volume = murk_alloc(2 * slots, sizeof *volume), *all = volume + slots;
     for (int i = 0; i < rays * rays; i++) {
         murk_line line = {.offset = {(i % rays + start) / rays, (i / rays + start) / rays},
                           .span = 1.0 / rays,
                           .weight = 1};
         memcpy(line.direction, direction, sizeof line.direction);
         murk_lattice lattice;
-        murk_lattice_lay(&lattice, grid, &line, layers);
+        murk_lattice_lay(&lattice, grid, &line);
         /* The perpendicular section of a face, from its edges. */
         int a = lattice.axis;
         double face = grid->volume / grid->voxel[a];
         assert_within(lattice.area, face * fabs(direction[a]), 1e-12 * face);
-        for (int32_t rv = lattice.ray_lo[1]; rv < lattice.ray_hi[1]; rv++)
-            for (int32_t ru = lattice.ray_lo[0]; ru < lattice.ray_hi[0]; ru++)
-                follow(grid, &lattice, ru, rv, volume);
+        assert_within(lattice.length * lattice.area, grid->volume, 1e-12 * grid->volume);
+        for (size_t b = 0; b < grid->brick_count; b++) {
+            memset(volume, 0, slots * sizeof *volume);
+            cross_brick(grid, &lattice, b, volume);
+            for (int slot = 0; slot < MURK_BRICK_SLOTS; slot++)
+                all[b * MURK_BRICK_SLOTS + (size_t)slot] +=
+                    volume[b * MURK_BRICK_SLOTS + (size_t)slot];
+        }
     }
     for (size_t i = 0; i < slots; i++)
-        assert_within(volume[i], grid->volume, 2e-6 * grid->volume);
+        assert_within(all[i], grid->volume, 2e-6 * grid->volume);
     murk_free(volume);
-    murk_free(layers);
 }
 
 static void random_directions(void **state)

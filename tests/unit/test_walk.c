@@ -76,7 +76,8 @@ static void random_rays(void **state)
             for (int a = 0; a < 3; a++) /* inside and outside */
                 origin[a] = (2 * check_random(&random) - 0.5) * grid->voxel[a] * 32;
             double t_min = ray % 3 ? 0 : 10 * check_random(&random);
-            check_ray(grid, origin, direction, t_min, ray % 2 ? 60 : 15 * check_random(&random));
+            check_ray(grid, origin, direction, t_min,
+                      t_min + (ray % 2 ? 60 : 15 * check_random(&random)));
         }
         murk_grid_release(grid);
     }
