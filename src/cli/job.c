@@ -96,24 +96,11 @@ murk_status cli_job_read(struct cli_job *job)
     return status;
 }
 
-/* A scale that murk chose by itself is no secret. */
-static void say_scale(struct cli_job *job)
-{
-    murk_medium_info info;
-    if (murk_medium_info_get(job->scene.medium, &info) == MURK_OK && info.zones > 0 &&
-        job->description.medium.extinction.scale == 0.0 && info.extinction_scale > 0.0)
-        cli_say(&job->terminal,
-                "extinction = %g x the grid, %.2g optical depths at most; --scale sets it",
-                info.extinction_scale, info.max_depth);
-}
-
 murk_status cli_job_build(struct cli_job *job)
 {
     char message[SCENE_MESSAGE_SIZE] = "";
     double start = cli_seconds();
     murk_status status = scene_build(job->context, &job->description, &job->scene, message);
-    if (status == MURK_OK)
-        say_scale(job);
     if (status != MURK_OK) {
         cli_error(&job->terminal, "%s", message);
     } else if (job->options->ground_radiosity && !job->scene.ground) {

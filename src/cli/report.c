@@ -51,6 +51,17 @@ static void say_outputs(struct cli_job *job)
         cli_say(&job->terminal, "ground radiosity in %s", options->ground_radiosity);
 }
 
+/* A scale that murk chose by itself is no secret. */
+static void say_scale(struct cli_job *job)
+{
+    murk_medium_info info;
+    if (murk_medium_info_get(job->scene.medium, &info) == MURK_OK && info.zones > 0 &&
+        job->description.medium.extinction.scale == 0.0 && info.extinction_scale > 0.0)
+        cli_say(&job->terminal,
+                "extinction = %g x the grid, %.2g optical depths at most; --scale sets it",
+                info.extinction_scale, info.max_depth);
+}
+
 void cli_report_say(struct cli_job *job, murk_status status)
 {
     const murk_report *report = murk_solution_report(job->solution);
@@ -64,6 +75,7 @@ void cli_report_say(struct cli_job *job, murk_status status)
                 "(asked for %.2g %%)",
                 (unsigned long long)report->zones, (unsigned long long)report->patches,
                 report->iterations, seconds, 100.0 * report->estimate, 100.0 * report->tolerance);
+    say_scale(job);
     say_outputs(job);
     if (status == MURK_NOT_REACHED) /* said even when quiet: it is why the exit status is 3 */
         cli_error(&job->terminal,

@@ -5,7 +5,7 @@
 
 /* A footprint has samples no further apart than half a patch, up to this many a side. (A patch apart
    costs a third more error of B in the paper's box.) */
-enum { MOST_SAMPLES = 8 };
+enum { MOST_SAMPLES = 4 };
 
 /* The world displacement of one step of the line number along a grid axis, carried along the
    lines onto the ground plane. */

@@ -48,7 +48,7 @@ murk_status murk_lines_through_create(murk_context *context, size_t base, murk_l
 
 size_t murk_lines_through_base(size_t total, size_t zones)
 {
-    enum { LEAST = 128, MOST = 2048 };
+    enum { LEAST = 128, MOST = 1024 };
     size_t base = zones ? total / zones : LEAST;
     return base < LEAST ? LEAST : base > MOST ? MOST : base;
 }

@@ -28,14 +28,17 @@ static double solid_angle(const double x[2], const double y[2], double h)
            corner_angle(x[0], y[0], h);
 }
 
-/* Ends of `count` parts of [x0, x1] that look equally wide from a distance. */
-static void cut(const double x[2], double distance, int count, double *end)
+enum { PARTS = 4 };
+
+/* Ends and middles of parts of [x0, x1] that look equally wide from a distance. */
+static void cut(const double x[2], double distance, double end[PARTS + 1], double middle[PARTS])
 {
-    double first = atan(x[0] / distance), last = atan(x[1] / distance);
-    for (int i = 1; i < count; i++)
-        end[i] = distance * tan(first + (last - first) * i / count);
-    end[0] = x[0];
-    end[count] = x[1];
+    double first = atan(x[0] / distance), step = (atan(x[1] / distance) - first) / PARTS;
+    for (int i = 0; i < PARTS; i++) {
+        end[i] = i ? distance * tan(first + step * i) : x[0];
+        middle[i] = distance * tan(first + step * (i + 0.5));
+    }
+    end[PARTS] = x[1];
 }
 
 static double nearest(const double x[2])
@@ -60,15 +63,14 @@ static double transmitted(const view *v, const double p[3], double x, double y, 
 static double view_wide(const view *v, const double p[3], const double x[2], const double y[2],
                         double h)
 {
-    enum { PARTS = 4 };
-    double near_x = nearest(x), near_y = nearest(y), end_x[PARTS + 1], end_y[PARTS + 1], sum = 0;
-    cut(x, sqrt(h * h + near_y * near_y), PARTS, end_x);
-    cut(y, sqrt(h * h + near_x * near_x), PARTS, end_y);
+    double near_x = nearest(x), near_y = nearest(y), sum = 0;
+    double end_x[PARTS + 1], end_y[PARTS + 1], middle_x[PARTS], middle_y[PARTS];
+    cut(x, sqrt(h * h + near_y * near_y), end_x, middle_x);
+    cut(y, sqrt(h * h + near_x * near_x), end_y, middle_y);
     for (int i = 0; i < PARTS; i++)
         for (int j = 0; j < PARTS; j++)
-            sum +=
-                solid_angle(end_x + i, end_y + j, h) *
-                transmitted(v, p, (end_x[i] + end_x[i + 1]) / 2, (end_y[j] + end_y[j + 1]) / 2, h);
+            sum += solid_angle(end_x + i, end_y + j, h) *
+                   transmitted(v, p, middle_x[i], middle_y[j], h);
     return sum;
 }
 

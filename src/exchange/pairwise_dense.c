@@ -158,7 +158,8 @@ static double correction(double lines, double sum, double weight)
 /*
  * Factors of far zones and patches are even, but a few lines between two thick zones miss their
  * corners, from which most of the light escapes. The lines through a zone are scattered over single
- * far elements but right for their sum: each row's factors are scaled to it.
+ * far elements but right for their sum: each row's factors are scaled to it. In thin media the few
+ * lines are the better of the two.
  */
 static bool correct_far(murk_pairwise *p, const geometry *g, const leaving *out)
 {
@@ -306,10 +307,11 @@ murk_status murk_pairwise_dense(murk_context *context, murk_pairwise *p)
     leaving out = {.up = p->sky, .down = rest, .ground = rest + n, .far = rest + 2 * n};
     p->matrix = murk_alloc(n * n, sizeof *p->matrix);
     p->self = murk_alloc(n, sizeof *p->self);
+    bool thick = p->sight.kappa_max * longest_edge(p->sight.grid->voxel) > 0.15;
     murk_status status = MURK_ERROR_MEMORY;
     if (rest && p->matrix && p->self && geometry_create(&g, p->sight.grid, p->threads) &&
         !murk_lines_through_create(context, murk_lines_through_base(1 << 19, n), &lines) &&
-        fill(context, p, &g, &lines, &out) && correct_far(p, &g, &out) &&
+        fill(context, p, &g, &lines, &out) && (!thick || correct_far(p, &g, &out)) &&
         (p->windowed || close_rows(p, out.up, out.down)))
         status = MURK_OK;
     if (status)

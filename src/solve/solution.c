@@ -120,7 +120,8 @@ murk_status murk_solution_ground(const murk_solution *solution, float *radiosity
 {
     const murk_ground *ground = solution->ground;
     if (!ground)
-        return MURK_ERROR_INPUT;
+        return murk_fail(solution->context, MURK_ERROR_INPUT,
+                         "ground: the scene has none, so it has no radiosity; add one");
     int nx = ground->interior[0], ny = ground->interior[1];
     for (int ib = 0; ib < ny; ib++)
         for (int ia = 0; ia < nx; ia++) {

@@ -4,6 +4,7 @@
 import json
 import math
 import os
+import struct
 import sys
 
 import pyopenvdb as vdb
@@ -75,6 +76,8 @@ scene("fov.json", camera={"fov": 190})
 scene("zero_size.json", camera={"size": [0, 480]})
 scene("sun_direction.json", sun={"direction": [0, 0, 0]})
 scene("albedo.json", medium={"file": "puff.vdb", "albedo": 1.5})
+scene("ground_size.json", ground={"reflectance": "ground.pfm", "patches": [4, 4]})
+scene("ground_range.json", ground={"reflectance": "ground.pfm"})
 scene("uniform.json", medium={"file": "puff.vdb", "extinction": 1.5})
 scene("extent.json", ground={"extent": [[1, 0], [0, 1]]})
 scene("type.json", sky={"radiance": "bright"})
@@ -82,5 +85,7 @@ scene("eye_target.json", camera={"eye": [1, 2, 3], "target": [1, 2, 3]})
 scene("no_image.json", ground={"reflectance": "missing.exr"})
 scene("no_volume.json", medium={"file": "missing.vdb"})
 scene("no_ground.json", sky={"radiance": 0.1})
+with open(path("ground.pfm"), "wb") as image:  # 2 x 1 pixels, the second too bright
+    image.write(b"Pf\n2 1\n-1.0\n" + struct.pack("<2f", 0.5, 1.5))
 with open(path("syntax.json"), "w") as text:
     text.write('{"medium": {"file": "puff.vdb"},\n "sun": }\n')

@@ -1,4 +1,4 @@
-murk solve fixtures/puff.vdb -q -o r.vdb --emission-coefficient --extinction-grid --albedo-grid --half
+murk solve fixtures/puff.json -q -o r.vdb --emission-coefficient --extinction-grid --albedo-grid --half
 murk info r.vdb --json | /usr/bin/python3 -c "
 import json, sys
 for grid in json.load(sys.stdin)[\"grids\"]:

@@ -1,0 +1,1 @@
+murk image fixtures/ground_range.json -o a.exr

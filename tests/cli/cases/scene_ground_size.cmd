@@ -1,0 +1,1 @@
+murk image fixtures/ground_size.json -o a.exr
