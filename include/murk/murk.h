@@ -327,12 +327,13 @@ typedef struct murk_report {
     int directions;          /**< of the final quadrature; 0 for pairwise */
     int iterations;          /**< Gauss-Seidel or conjugate-gradient steps, all levels */
     int sweeps;              /**< applications of the exchange operator, weighted by directions */
-    double residual;         /**< relative, at the end */
+    double residual;         /**< relative; lines: on the fine level, before the last correction */
     double tolerance;        /**< as asked */
     double estimate;         /**< relative error estimated: iteration and angular parts */
     double estimate_iteration, estimate_angular;
     bool reached;            /**< estimate <= tolerance */
-    double multiplications;         /**< [BG91] eq. (18) for this scene, per iteration */
+    double multiplications;         /**< [BG91] eq. (18) for this scene: what all stored factors
+                                         would cost per iteration */
     double multiplications_window;  /**< [BG91] eq. (19); 0 without a window */
     double energy_emitted;   /**< by the zones: sum of 4 kappa_a E V */
     double energy_sun;       /**< sunlight extinguished in the zones */
@@ -406,6 +407,11 @@ typedef struct murk_camera {
 /** A camera that frames the medium and its shadow on the ground. */
 MURK_API murk_status murk_camera_default(murk_context *context, const murk_scene *scene,
                                          murk_camera *out);
+
+/** Whether a camera can take a picture of the scene; murk_render() fails in the same way, but only
+ *  after the scene is solved. */
+MURK_API murk_status murk_camera_check(murk_context *context, const murk_scene *scene,
+                                       const murk_camera *camera);
 
 /** Pixels with named channels, row 0 at the top. */
 typedef struct murk_image murk_image;

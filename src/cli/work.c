@@ -23,6 +23,13 @@ static murk_status prepare(struct cli_job *job, const struct cli_options *option
     return status == MURK_OK ? cli_job_build(job) : status;
 }
 
+/* Whether the camera can take the picture, before any long work. */
+static murk_status aim(struct cli_job *job)
+{
+    return cli_job_fail(job,
+                        murk_camera_check(job->context, &job->scene.scene, &job->scene.camera));
+}
+
 /* Writes everything, tells what came out, and ends the job. */
 static int conclude(struct cli_job *job, murk_status status)
 {
@@ -42,6 +49,8 @@ int cli_image(const struct cli_options *options, const char *command_line)
 {
     struct cli_job job;
     murk_status status = prepare(&job, options, "image", command_line);
+    if (!failed(status))
+        status = aim(&job);
     if (!failed(status))
         status = cli_job_solve(&job);
     if (!failed(status)) {
@@ -88,6 +97,8 @@ int cli_render(const struct cli_options *options, const char *command_line)
         return 1;
     }
     murk_status status = prepare(&job, options, "render", command_line);
+    if (status == MURK_OK)
+        status = aim(&job);
     if (status == MURK_OK)
         status = read_solution(&job);
     if (status == MURK_OK)

@@ -50,13 +50,12 @@ float linear_from_srgb(float value)
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
-// Bytes are sRGB where the file does not say. They come unassociated, so that the curve acts on the
-// colour itself.
+// Whole numbers are on a display's curve, whether the file says so or not. They come unassociated,
+// so that the curve acts on the colour itself.
 void make_linear(const OIIO::ImageSpec &spec, murk_image &image)
 {
-    const char *guess = spec.format == OIIO::TypeUInt8 ? "sRGB" : "Linear";
-    std::string space = spec.get_string_attribute("oiio:ColorSpace", guess);
-    if (space != "sRGB" && space != "Rec709")
+    if (spec.format.is_floating_point() ||
+        spec.get_string_attribute("oiio:ColorSpace", "sRGB") == "Linear")
         return;
     size_t count = size_t(image.width) * image.height;
     for (size_t p = 0; p < count; p++) {

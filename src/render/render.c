@@ -151,6 +151,29 @@ static void choose_channels(const murk_image *image, int channel[3])
     }
 }
 
+/* The view of a camera that stands where a picture can be taken. */
+static murk_status make_view(murk_context *context, const murk_ground *ground,
+                             const murk_camera *camera, murk_view *out)
+{
+    murk_view view;
+    murk_status status = murk_view_create(context, camera, &view);
+    if (status)
+        return status;
+    if (ground && !(view.eye[murk_ground_axis_up(ground)] > ground->height))
+        return murk_fail(context, MURK_ERROR_INPUT,
+                         "camera.eye: %g is not above the ground at %g; raise it",
+                         view.eye[murk_ground_axis_up(ground)], ground->height);
+    *out = view;
+    return MURK_OK;
+}
+
+murk_status murk_camera_check(murk_context *context, const murk_scene *scene,
+                              const murk_camera *camera)
+{
+    murk_view view;
+    return make_view(context, scene->ground, camera, &view);
+}
+
 murk_status murk_render(murk_context *context, const murk_scene *scene,
                         const murk_solution *solution, const murk_camera *camera,
                         const murk_render_options *options, murk_image **out)
@@ -165,14 +188,9 @@ murk_status murk_render(murk_context *context, const murk_scene *scene,
                       .samples = options->samples > 0 ? options->samples : 2,
                       .no_background = options->no_background,
                       .background = options->background};
-    murk_status status = murk_view_create(context, camera, &shot.view);
+    murk_status status = make_view(context, solution->ground, camera, &shot.view);
     if (status)
         return status;
-    const murk_ground *ground = solution->ground;
-    if (ground && !(shot.view.eye[murk_ground_axis_up(ground)] > ground->height))
-        return murk_fail(context, MURK_ERROR_INPUT,
-                         "camera.eye: %g is not above the ground at %g; raise it",
-                         shot.view.eye[murk_ground_axis_up(ground)], ground->height);
     if (shot.background)
         choose_channels(shot.background, shot.background_channel);
     murk_image *image = NULL;

@@ -4,7 +4,6 @@
 
 #include "conjugate_gradients.h"
 #include "gauss_seidel.h"
-#include "multiplications.h"
 #include "pairwise.h"
 
 #include <math.h>
@@ -79,17 +78,6 @@ static murk_status gradients(murk_system *system, const murk_solve_options *opti
     return MURK_OK;
 }
 
-static void report_counts(const murk_system *system, const murk_solve_options *options,
-                          murk_report *report)
-{
-    double zones = (double)system->medium->grid->zone_count, patches = (double)system->patches;
-    const int *m = options->window;
-    report->multiplications = zones * zones + 2 * patches * zones;
-    if (m[0] > 0 && m[1] > 0 && m[2] > 0)
-        report->multiplications_window =
-            zones * m[0] * m[1] * m[2] + (patches > 0 ? 2 * zones * m[0] * m[1] : 0);
-}
-
 murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
                                 const murk_stage *stage, const murk_solve_options *options)
 {
@@ -127,7 +115,6 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
         report->kernel = "double";
         report->sweeps = report->iterations;
         report->estimate = report->estimate_iteration;
-        report_counts(&system, options, report);
         double solved = murk_seconds();
         report->seconds_solve = solved - ready;
         status = murk_finish(context, solution, stage,

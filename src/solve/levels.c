@@ -26,6 +26,7 @@ typedef struct murk_levels {
     murk_outside outside;
     int iterations;
     double angular, iteration; /* estimated relative errors of x */
+    double residual;           /* relative, on the fine level before the last correction */
 } murk_levels;
 
 static murk_status set_level(murk_levels *levels, const murk_solution *solution, int which,
@@ -65,6 +66,8 @@ static murk_status correct(murk_levels *levels, double goal, double *first)
         murk_vector_copy(&levels->fine, &levels->b, &levels->r);
         murk_vector_add(&levels->fine, -1, &levels->d, &levels->r);
         double norm = sqrt(murk_vector_product(&levels->fine, &levels->x, &levels->x));
+        double left = sqrt(murk_vector_product(&levels->fine, &levels->r, &levels->r));
+        levels->residual = norm > 0 ? left / norm : 0;
         murk_cg_result result;
         status = murk_conjugate_gradients(&levels->coarse, &levels->r, &levels->d, 0.1,
                                           0.2 * goal * norm, levels->options->max_iterations,
@@ -79,7 +82,7 @@ static murk_status correct(murk_levels *levels, double goal, double *first)
             *first = change;
         double ratio = step && before > 0 ? change / before : 0.25;
         before = change;
-        levels->iteration = change * fmin(1, ratio / fmax(1e-3, 1 - ratio)) ;
+        levels->iteration = change * fmin(1, ratio / fmax(1e-3, 1 - ratio));
         murk_progress(levels->context, "solve",
                       0.5 + 0.4 * fmin(1, log(fmax(change, 1e-12)) / log(fmin(0.5, goal))));
         if (levels->iteration <= goal || (step > 2 && ratio > 0.9))
@@ -108,7 +111,11 @@ static murk_status refine(murk_levels *levels, murk_solution *solution, const mu
 {
     const murk_solve_options *o = levels->options;
     double goal = 0.1 * o->tolerance;
-    int directions = o->directions ? o->directions : 4 * COARSE, last = COARSE;
+    /* A number that is asked for is reached over half of it: the difference of two fine quadratures
+       tells more about the error than that to the coarse one. */
+    int last = COARSE, directions = 4 * COARSE;
+    if (o->directions)
+        directions = o->directions < 8 * COARSE ? o->directions : o->directions / 2;
     murk_status status = MURK_OK;
     for (bool begun = false;; begun = true) {
         if (!begun)
@@ -126,10 +133,15 @@ static murk_status refine(murk_levels *levels, murk_solution *solution, const mu
         double fine = murk_lines_directions(levels->lines[1]);
         double c = first / sqrt(1.0 / last + 1 / fine);
         levels->angular = c / sqrt(fine);
-        if (levels->angular + levels->iteration <= o->tolerance || o->directions ||
-            fine >= MOST_DIRECTIONS)
-            return MURK_OK;
         last = (int)fine;
+        if (o->directions) {
+            if (directions == o->directions)
+                return MURK_OK;
+            directions = o->directions;
+            continue;
+        }
+        if (levels->angular + levels->iteration <= o->tolerance || fine >= MOST_DIRECTIONS)
+            return MURK_OK;
         /* Where the light is smooth the error falls faster than that: no leaps. */
         double needed = pow(c / (0.8 * o->tolerance), 2);
         directions = (int)fmin(MOST_DIRECTIONS, fmin(2 * fine, fmax(needed, 1.5 * fine)));
@@ -144,6 +156,7 @@ static void report_levels(const murk_levels *levels, murk_report *report)
     report->directions = murk_lines_directions(levels->lines[1]);
     report->iterations = levels->iterations;
     report->sweeps = (int)ceil(levels->coarse.power + levels->fine.power);
+    report->residual = levels->residual;
     report->estimate_angular = levels->angular;
     report->estimate_iteration = levels->iteration;
     report->estimate = levels->angular + levels->iteration;

@@ -35,6 +35,9 @@ murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
     solution->sun = scene->sun;
     solution->sky_radiance = scene->sky_radiance;
     const murk_ground *ground = scene->ground;
+    if (ground && scene->sun.irradiance > 0 && murk_beam_on_ground(ground, &scene->sun) == 0)
+        murk_warn(context, "sun.direction: the sun stands below the ground's horizon and lights "
+                           "nothing; direction is the way the light travels, so down");
     if (ground)
         solution->horizon =
             ground->mean_emission +

@@ -3,6 +3,7 @@
 
 #include "finish.h"
 #include "levels.h"
+#include "multiplications.h"
 
 #include <math.h>
 
@@ -25,6 +26,14 @@ static murk_status check(murk_context *context, const murk_solve_options *o)
     return MURK_OK;
 }
 
+static void count_multiplications(murk_report *report, const int window[3])
+{
+    double zones = (double)report->zones, patches = (double)report->patches;
+    report->multiplications = murk_multiplications_full(zones, patches);
+    if (window[0] > 0 && window[1] > 0 && window[2] > 0)
+        report->multiplications_window = murk_multiplications_window(zones, patches, window);
+}
+
 murk_status murk_solve(murk_context *context, const murk_scene *scene,
                        const murk_solve_options *options, murk_solution **out)
 {
@@ -45,6 +54,7 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
     murk_report *report = &solution->report;
     double setup = murk_seconds();
     report->seconds_setup = setup - start;
+    count_multiplications(report, o.window);
     report->tolerance = o.tolerance;
     report->reached = true;
     murk_progress(context, "light", 0);
