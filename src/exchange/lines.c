@@ -13,20 +13,32 @@ struct murk_lines {
     double flux; /* what makes the half-range flux onto the ground exact: 1/4 over its quadrature */
 };
 
-/* Lines pass alternate orbits through the middles and the corners of the faces: both choices are
-   symmetric under reversal, and together they sample the voxels more evenly than one. */
-static void set_lines(const murk_quadrature *quadrature, int rays, murk_line *line)
+/* The lines of one direction, through the points that its shift leads to. The more directions there
+   are, the less each has to stand for: their footprints on the ground shrink. */
+static void set_lines(const murk_grid *grid, const murk_quadrature *quadrature, int rays,
+                      murk_line *line)
 {
-    for (int d = 0; d < quadrature->count; d++)
+    double orbits = quadrature->count / MURK_ORBIT, footprint = fmin(1, sqrt(2 / orbits));
+    for (int d = 0; d < quadrature->count; d++) {
+        const double *direction = quadrature->direction[d], *shift = quadrature->shift[d];
+        int axis = murk_lattice_axis(grid, direction);
+        const int across[2] = {axis == 2 ? 1 : 2, axis == 0 ? 1 : 0};
+        double start[2];
+        for (int c = 0; c < 2; c++) {
+            int a = across[c];
+            double slope = direction[a] / grid->voxel[a] / (direction[axis] / grid->voxel[axis]);
+            start[c] = 0.5 + shift[a] - slope * shift[axis];
+            start[c] -= floor(start[c]);
+        }
         for (int i = 0; i < rays * rays; i++, line++) {
-            double start = d / MURK_ORBIT % 2 ? 0.0 : 0.5;
             for (int c = 0; c < 3; c++)
-                line->direction[c] = quadrature->direction[d][c];
-            line->offset[0] = (i % rays + start) / rays;
-            line->offset[1] = (i / rays + start) / rays;
-            line->span = 1.0 / rays;
+                line->direction[c] = direction[c];
+            line->offset[0] = (i % rays + start[0]) / rays;
+            line->offset[1] = (i / rays + start[1]) / rays;
+            line->span = footprint / rays;
             line->weight = quadrature->weight[d] / (rays * rays);
         }
+    }
 }
 
 /* Ratio of the exact mean of |cos| over the sphere, 1/2, to the quadrature's: 1 where the ground
@@ -60,7 +72,7 @@ murk_status murk_lines_create(murk_context *context, const murk_grid *grid, cons
         status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %d directions",
                            quadrature.count);
     } else {
-        set_lines(&quadrature, rays, line);
+        set_lines(grid, &quadrature, rays, line);
         lines->ground = ground;
         lines->directions = quadrature.count;
         lines->flux = ground ? flux_ratio(grid, ground, &quadrature) : 1;

@@ -113,32 +113,49 @@ static bool fit_weights(int n, const double (*base)[3], int fitted, double *weig
     return true;
 }
 
-static void place_orbit(const double p[3], double weight, double (*direction)[3], double *weights)
+/* The images of base point p with its shift s. An image by a rotation takes s along; the others are
+   rotations of -p, whose lines are those of p. */
+static void place_orbit(const double p[3], const double s[3], double weight,
+                        murk_quadrature *quadrature, int first)
 {
     static const int order[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     for (int i = 0; i < MURK_ORBIT; i++) {
-        for (int c = 0; c < 3; c++)
-            direction[i][c] = (i >> c & 1 ? -1 : 1) * p[order[i >> 3][c]];
-        weights[i] = weight / MURK_ORBIT;
+        bool turned = (__builtin_popcount((unsigned)i & 7) + (i >= 24)) % 2 == 0;
+        for (int c = 0; c < 3; c++) {
+            int sign = i >> c & 1 ? -1 : 1;
+            quadrature->direction[first + i][c] = sign * p[order[i >> 3][c]];
+            quadrature->shift[first + i][c] = (turned ? sign : -sign) * s[order[i >> 3][c]];
+        }
+        quadrature->weight[first + i] = weight / MURK_ORBIT;
     }
 }
+
+static double fraction(double x)
+{
+    return x - floor(x);
+}
+
+/* Strides of Kronecker sequences: the golden ratio in one dimension, and powers of the root of
+   x^4 = x + 1 in three. */
+static const double GOLDEN = 0.6180339887498949;
+static const double STRIDE[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
 
 murk_status murk_quadrature_create(murk_context *context, int orbits, murk_quadrature *out)
 {
     size_t n = (size_t)orbits;
     murk_quadrature made = {.count = orbits * MURK_ORBIT,
                             .direction = murk_alloc(n * MURK_ORBIT, sizeof *made.direction),
-                            .weight = murk_alloc(n * MURK_ORBIT, sizeof *made.weight)};
+                            .weight = murk_alloc(n * MURK_ORBIT, sizeof *made.weight),
+                            .shift = murk_alloc(n * MURK_ORBIT, sizeof *made.shift)};
     double(*base)[3] = murk_alloc(n, sizeof *base), *weight = murk_alloc(n, sizeof *weight);
-    if (!made.direction || !made.weight || !base || !weight) {
+    if (!made.direction || !made.weight || !made.shift || !base || !weight) {
         murk_quadrature_clear(&made);
         murk_free(base);
         murk_free(weight);
         return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %d directions", made.count);
     }
     for (int i = 0; i < orbits; i++) {
-        double golden = (i + 0.5) * 0.6180339887498949;
-        map_triangle((i + 0.5) / orbits, golden - floor(golden), base[i]);
+        map_triangle((i + 0.5) / orbits, fraction((i + 0.5) * GOLDEN), base[i]);
         weight[i] = 1.0 / orbits;
     }
     if (orbits == 1) {
@@ -155,9 +172,12 @@ murk_status murk_quadrature_create(murk_context *context, int orbits, murk_quadr
         while (fitted > 1 && !fit_weights(orbits, (const double(*)[3])base, fitted, weight))
             fitted--;
     }
-    for (int i = 0; i < orbits; i++)
-        place_orbit(base[i], weight[i], made.direction + i * MURK_ORBIT,
-                    made.weight + i * MURK_ORBIT);
+    for (int i = 0; i < orbits; i++) {
+        double shift[3];
+        for (int c = 0; c < 3; c++)
+            shift[c] = orbits > 1 ? fraction((i + 0.5) * STRIDE[c]) - 0.5 : 0;
+        place_orbit(base[i], shift, weight[i], &made, i * MURK_ORBIT);
+    }
     murk_free(base);
     murk_free(weight);
     *out = made;
@@ -168,5 +188,6 @@ void murk_quadrature_clear(murk_quadrature *quadrature)
 {
     murk_free(quadrature->direction);
     murk_free(quadrature->weight);
+    murk_free(quadrature->shift);
     memset(quadrature, 0, sizeof *quadrature);
 }
