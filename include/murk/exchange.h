@@ -47,9 +47,8 @@ typedef struct murk_exchange_method {
     const char *name;
 
     /** Prepares the operator for a medium and a ground (may be NULL); both outlive it. */
-    murk_status (*init)(murk_context *context, const murk_medium *medium,
-                        const murk_ground *ground, const murk_solve_options *options,
-                        void **state);
+    murk_status (*init)(murk_context *context, const murk_medium *medium, const murk_ground *ground,
+                        const murk_solve_options *options, void **state);
 
     /** out = G in, for all zones and patches at once. */
     murk_status (*apply)(murk_context *context, void *state, const murk_radiosity *in,

@@ -89,7 +89,9 @@ typedef struct murk_context_options {
 } murk_context_options;
 
 #define MURK_CONTEXT_DEFAULT                                                                       \
-    { .threads = 0, .kernel = NULL, .log = NULL, .progress = NULL, .user = NULL }
+    {                                                                                              \
+        .threads = 0, .kernel = NULL, .log = NULL, .progress = NULL, .user = NULL                  \
+    }
 
 /** Creates a context. options may be NULL. Fails when memory runs out or the kernel is unknown. */
 MURK_API murk_status murk_context_create(const murk_context_options *options, murk_context **out);
@@ -107,20 +109,20 @@ typedef struct murk_volume murk_volume;
 
 /** One grid of a volume; strings live as long as the volume. */
 typedef struct murk_grid_info {
-    const char *name;        /**< unique: "density", "density[1]", ... */
-    const char *type;        /**< OpenVDB's value type: "float", "half", "vec3s", ... */
-    const char *grid_class;  /**< "fog volume", "level set", ... */
-    bool readable;           /**< murk can take it as a scalar field */
-    const char *unreadable;  /**< why not, or NULL */
-    uint64_t active_voxels;  /**< tiles counted by their voxels */
+    const char *name;       /**< unique: "density", "density[1]", ... */
+    const char *type;       /**< OpenVDB's value type: "float", "half", "vec3s", ... */
+    const char *grid_class; /**< "fog volume", "level set", ... */
+    bool readable;          /**< murk can take it as a scalar field */
+    const char *unreadable; /**< why not, or NULL */
+    uint64_t active_voxels; /**< tiles counted by their voxels */
     uint64_t active_tiles;
-    uint64_t nonzero_voxels; /**< active voxels whose value is not 0 (scalar grids) */
-    uint64_t invalid_voxels; /**< NaN, infinite or negative values among the active voxels */
-    int32_t box_min[3];      /**< index-space box of the active voxels, both ends included */
-    int32_t box_max[3];      /**< smaller than box_min where nothing is active */
-    double voxel_size[3];    /**< m */
-    double index_to_world[16]; /**< row-major; world = matrix * (i, j, k, 1) as a column */
-    double value_min, value_max; /**< over the active voxels; 0 where nothing is active */
+    uint64_t nonzero_voxels;      /**< active voxels whose value is not 0 (scalar grids) */
+    uint64_t invalid_voxels;      /**< NaN, infinite or negative values among the active voxels */
+    int32_t box_min[3];           /**< index-space box of the active voxels, both ends included */
+    int32_t box_max[3];           /**< smaller than box_min where nothing is active */
+    double voxel_size[3];         /**< m */
+    double index_to_world[16];    /**< row-major; world = matrix * (i, j, k, 1) as a column */
+    double value_min, value_max;  /**< over the active voxels; 0 where nothing is active */
     double mean_depth, max_depth; /**< integral of the value along the shortest axis of the box,
                                        mean and maximum over the columns that hold something */
 } murk_grid_info;
@@ -164,9 +166,9 @@ typedef struct murk_medium_options {
     murk_quantity extinction;
     murk_quantity albedo;   /**< single-scattering albedo kappa_s/kappa_t in [0, 1] */
     murk_quantity emission; /**< E [W/m^2] >= 0 */
-    bool corner;            /**< voxel (i,j,k) covers [i, i+1] x ... instead of [i - 1/2, i + 1/2] */
-    bool strict;            /**< NaN, infinite, negative values are an error, not empty */
-    double voxel_size;      /**< > 0 overrides the file's voxel size [m] (all three axes by ratio) */
+    bool corner;       /**< voxel (i,j,k) covers [i, i+1] x ... instead of [i - 1/2, i + 1/2] */
+    bool strict;       /**< NaN, infinite, negative values are an error, not empty */
+    double voxel_size; /**< > 0 overrides the file's voxel size [m] (all three axes by ratio) */
 } murk_medium_options;
 
 #define MURK_MEDIUM_DEFAULT                                                                        \
@@ -182,18 +184,17 @@ typedef struct murk_medium_options {
  * grids on different transforms, an albedo outside [0, 1], or, when strict, bad values.
  */
 MURK_API murk_status murk_medium_from_volume(murk_context *context, const murk_volume *volume,
-                                             const murk_medium_options *options,
-                                             murk_medium **out);
+                                             const murk_medium_options *options, murk_medium **out);
 
 /** A dense box of voxels for murk_medium_from_array(). Arrays have size[0]*size[1]*size[2] values,
  *  the last index (z) running fastest, and are copied. */
 typedef struct murk_array {
     int32_t size[3];
-    double voxel_size[3];   /**< m */
-    double origin[3];       /**< world position of the low corner of voxel (0, 0, 0) [m] */
-    const float *kappa_t;   /**< 1/m; NULL: kappa_t_value everywhere */
-    const float *albedo;    /**< NULL: albedo_value */
-    const float *emission;  /**< W/m^2; NULL: emission_value */
+    double voxel_size[3];  /**< m */
+    double origin[3];      /**< world position of the low corner of voxel (0, 0, 0) [m] */
+    const float *kappa_t;  /**< 1/m; NULL: kappa_t_value everywhere */
+    const float *albedo;   /**< NULL: albedo_value */
+    const float *emission; /**< W/m^2; NULL: emission_value */
     double kappa_t_value, albedo_value, emission_value;
 } murk_array;
 
@@ -203,15 +204,16 @@ MURK_API murk_status murk_medium_from_array(murk_context *context, const murk_ar
 MURK_API void murk_medium_release(murk_medium *medium);
 
 typedef struct murk_medium_info {
-    uint64_t zones;          /**< active voxels with kappa_t > 0 */
-    uint64_t bricks;         /**< 8x8x8 bricks that hold them */
-    uint64_t input_voxels;   /**< active voxels of the input grid */
-    uint64_t invalid_voxels; /**< treated as empty: NaN, infinite or negative */
-    double voxel_size[3];    /**< m */
+    uint64_t zones;                /**< active voxels with kappa_t > 0 */
+    uint64_t bricks;               /**< 8x8x8 bricks that hold them */
+    uint64_t input_voxels;         /**< active voxels of the input grid */
+    uint64_t invalid_voxels;       /**< treated as empty: NaN, infinite or negative */
+    double voxel_size[3];          /**< m */
     double box_min[3], box_max[3]; /**< world-space box around the zones [m] */
     double extinction_scale; /**< kappa_t per unit of the grid; 0 where it is not from a grid */
     double kappa_t_max;      /**< 1/m */
-    double mean_depth;       /**< mean optical depth along the shortest index axis, over columns with zones */
+    double mean_depth; /**< mean optical depth along the shortest index axis, over columns with
+                          zones */
     double max_depth;
 } murk_medium_info;
 MURK_API murk_status murk_medium_info_get(const murk_medium *medium, murk_medium_info *out);
@@ -229,14 +231,14 @@ typedef enum murk_up { MURK_UP_Z, MURK_UP_Y } murk_up;
  */
 typedef struct murk_ground_options {
     murk_up up;
-    double height;                   /**< m */
+    double height;                       /**< m */
     double extent_min[2], extent_max[2]; /**< m, in (a, b) */
-    int patches[2];                  /**< nx, ny >= 1 */
-    double reflectance;              /**< rho in [0, 1], used where reflectance_image is NULL */
-    const float *reflectance_image;  /**< nx * ny values in image order (see below); copied */
-    double emission;                 /**< W/m^2, used where emission_image is NULL */
-    const float *emission_image;     /**< nx * ny values in image order; copied */
-    bool horizon;                    /**< false: nothing outside extent (black, no emission) */
+    int patches[2];                      /**< nx, ny >= 1 */
+    double reflectance;                  /**< rho in [0, 1], used where reflectance_image is NULL */
+    const float *reflectance_image;      /**< nx * ny values in image order (see below); copied */
+    double emission;                     /**< W/m^2, used where emission_image is NULL */
+    const float *emission_image;         /**< nx * ny values in image order; copied */
+    bool horizon;                        /**< false: nothing outside extent (black, no emission) */
 } murk_ground_options;
 /* Image order: row 0 is at the largest y (up = z) or the smallest z (up = y), that is the far edge
    seen from above with x to the right; column 0 is at the smallest x. */
@@ -271,7 +273,7 @@ typedef struct murk_scene {
     const murk_medium *medium; /**< required; may hold no zones */
     const murk_ground *ground; /**< NULL: none; the sky is then all around */
     murk_sun sun;
-    double sky_radiance;       /**< uniform sky [W/m^2/sr] */
+    double sky_radiance; /**< uniform sky [W/m^2/sr] */
 } murk_scene;
 
 /** A scene that gives a picture with no further thought: a sun from the upper left behind the
@@ -300,7 +302,7 @@ typedef enum murk_solver {
 } murk_solver;
 
 typedef struct murk_solve_options {
-    double tolerance;   /**< relative error of B asked for, kappa_t-weighted L2 norm (0.01 = 1 %) */
+    double tolerance; /**< relative error of B asked for, kappa_t-weighted L2 norm (0.01 = 1 %) */
     murk_method method;
     murk_solver solver;
     int directions;     /**< lines: 0 chooses by tolerance; else rounded up to a multiple of 48 */
@@ -313,7 +315,11 @@ typedef struct murk_solve_options {
 #define MURK_SOLVE_DEFAULT                                                                         \
     {                                                                                              \
         .tolerance = 0.01, .method = MURK_LINES, .solver = MURK_CONJUGATE_GRADIENTS,               \
-        .directions = 0, .rays = 0, .epsilon = 1e-9, .max_iterations = 0, .window = {0, 0, 0}      \
+        .directions = 0, .rays = 0, .epsilon = 1e-9, .max_iterations = 0, .window = {              \
+            0,                                                                                     \
+            0,                                                                                     \
+            0                                                                                      \
+        }                                                                                          \
     }
 
 /** The radiosities of the zones and patches of one scene. */
@@ -324,23 +330,23 @@ typedef struct murk_report {
     uint64_t zones, patches, bricks;
     const char *method, *solver, *kernel;
     int threads;
-    int directions;          /**< of the final quadrature; 0 for pairwise */
-    int iterations;          /**< Gauss-Seidel or conjugate-gradient steps, all levels */
-    int sweeps;              /**< applications of the exchange operator, weighted by directions */
-    double residual;         /**< relative; lines: on the fine level, before the last correction */
-    double tolerance;        /**< as asked */
-    double estimate;         /**< relative error estimated: iteration and angular parts */
+    int directions;   /**< of the final quadrature; 0 for pairwise */
+    int iterations;   /**< Gauss-Seidel or conjugate-gradient steps, all levels */
+    int sweeps;       /**< applications of the exchange operator, weighted by directions */
+    double residual;  /**< relative; lines: on the fine level, before the last correction */
+    double tolerance; /**< as asked */
+    double estimate;  /**< relative error estimated: iteration and angular parts */
     double estimate_iteration, estimate_angular;
-    bool reached;            /**< estimate <= tolerance */
-    double multiplications;         /**< [BG91] eq. (18) for this scene: what all stored factors
-                                         would cost per iteration */
-    double multiplications_window;  /**< [BG91] eq. (19); 0 without a window */
-    double energy_emitted;   /**< by the zones: sum of 4 kappa_a E V */
-    double energy_sun;       /**< sunlight extinguished in the zones */
-    double energy_diffuse;   /**< sky and ground light extinguished in the zones */
-    double energy_absorbed;  /**< in the zones: sum of kappa_a G V */
-    double energy_escaped;   /**< left the zones for sky and ground */
-    double energy_balance;   /**< |emitted + sun + diffuse - absorbed - escaped| / sources */
+    bool reached;                  /**< estimate <= tolerance */
+    double multiplications;        /**< [BG91] eq. (18) for this scene: what all stored factors
+                                        would cost per iteration */
+    double multiplications_window; /**< [BG91] eq. (19); 0 without a window */
+    double energy_emitted;         /**< by the zones: sum of 4 kappa_a E V */
+    double energy_sun;             /**< sunlight extinguished in the zones */
+    double energy_diffuse;         /**< sky and ground light extinguished in the zones */
+    double energy_absorbed;        /**< in the zones: sum of kappa_a G V */
+    double energy_escaped;         /**< left the zones for sky and ground */
+    double energy_balance;         /**< |emitted + sun + diffuse - absorbed - escaped| / sources */
     double seconds_setup, seconds_light, seconds_solve, seconds_finish;
 } murk_report;
 
@@ -369,12 +375,12 @@ MURK_API murk_status murk_solution_ground(const murk_solution *solution, float *
 
 /** Which grids murk_solution_write() adds to the radiosity. */
 typedef struct murk_write_options {
-    const murk_volume *source;  /**< its density grid passes through untouched; may be NULL */
-    bool emission_coefficient;  /**< kappa_t * B / pi [W/m^3/sr] */
-    bool extinction;            /**< kappa_t [1/m] */
+    const murk_volume *source; /**< its density grid passes through untouched; may be NULL */
+    bool emission_coefficient; /**< kappa_t * B / pi [W/m^3/sr] */
+    bool extinction;           /**< kappa_t [1/m] */
     bool albedo;
-    bool half;                  /**< 16-bit floats */
-    const char *command;        /**< recorded in the file metadata; may be NULL */
+    bool half;           /**< 16-bit floats */
+    const char *command; /**< recorded in the file metadata; may be NULL */
 } murk_write_options;
 
 #define MURK_WRITE_DEFAULT                                                                         \
@@ -400,8 +406,8 @@ MURK_API murk_status murk_solution_from_volume(murk_context *context, const murk
 /** A pinhole camera in right-handed world coordinates. */
 typedef struct murk_camera {
     double eye[3], target[3], up[3];
-    double fov;   /**< vertical field of view, degrees, in (0, 180) */
-    int size[2];  /**< width, height in pixels, >= 1 */
+    double fov;  /**< vertical field of view, degrees, in (0, 180) */
+    int size[2]; /**< width, height in pixels, >= 1 */
 } murk_camera;
 
 /** A camera that frames the medium and its shadow on the ground. */
@@ -417,12 +423,16 @@ MURK_API murk_status murk_camera_check(murk_context *context, const murk_scene *
 typedef struct murk_image murk_image;
 
 typedef struct murk_render_options {
-    int samples;           /**< per pixel and axis; 0: 2 (that is 4 a pixel) */
-    bool no_background;    /**< leave ground and sky out of the picture (they still light it) */
-    const murk_image *background; /**< shown where a ray meets neither ground nor ... ; may be NULL */
+    int samples;        /**< per pixel and axis; 0: 2 (that is 4 a pixel) */
+    bool no_background; /**< leave ground and sky out of the picture (they still light it) */
+    const murk_image
+        *background; /**< shown where a ray meets neither ground nor ... ; may be NULL */
 } murk_render_options;
 
-#define MURK_RENDER_DEFAULT { .samples = 0, .no_background = false, .background = NULL }
+#define MURK_RENDER_DEFAULT                                                                        \
+    {                                                                                              \
+        .samples = 0, .no_background = false, .background = NULL                                   \
+    }
 
 /**
  * Renders [BG91] eq. (11): channels R G B A (premultiplied by the medium's opacity,
@@ -458,7 +468,7 @@ typedef struct murk_image_write_options {
 
 #define MURK_IMAGE_WRITE_DEFAULT                                                                   \
     {                                                                                              \
-        .exposure = NAN, .command = NULL, .units = NULL                                           \
+        .exposure = NAN, .command = NULL, .units = NULL                                            \
     }
 
 /** Writes an image; the format follows the path's extension. EXR keeps all channels as linear

@@ -24,8 +24,10 @@ murk_status murk_fail(murk_context *context, murk_status status, const char *for
     __attribute__((format(printf, 3, 4)));
 
 /* Log one line; silent where the context has no log. */
-void murk_warn(murk_context *context, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void murk_note(murk_context *context, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void murk_warn(murk_context *context, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+void murk_note(murk_context *context, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 void murk_progress(murk_context *context, const char *stage, double done);
 

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* A footprint has samples no further apart than half a patch, up to this many a side. (A patch apart
-   costs a third more error of B in the paper's box.) */
+/* A footprint has samples no further apart than half a patch, up to this many a side. (A patch
+   apart costs a third more error of B in the paper's box.) */
 enum { MOST_SAMPLES = 4 };
 
 /* The world displacement of one step of the line number along a grid axis, carried along the
@@ -51,8 +51,9 @@ void murk_boundary_lay(murk_boundary *boundary, const murk_grid *grid, const mur
     const double *span[2] = {boundary->per_u, boundary->per_v};
     for (int c = 0; c < 2; c++) {
         double samples = ceil(2 * lattice->span * hypot(span[c][0], span[c][1]) / patch);
-        boundary->samples[c] = samples < 1 ? 1 : samples > MOST_SAMPLES ? MOST_SAMPLES
-                                                                       : (int)samples;
+        boundary->samples[c] = samples < 1              ? 1
+                               : samples > MOST_SAMPLES ? MOST_SAMPLES
+                                                        : (int)samples;
     }
 }
 
@@ -71,7 +72,8 @@ static int64_t sample_patch(const murk_boundary *boundary, double u, double v, i
                              boundary->hit[1] + u * boundary->per_u[1] + v * boundary->per_v[1]);
 }
 
-static double bring(const murk_boundary *boundary, const murk_incoming *incoming, double u, double v)
+static double bring(const murk_boundary *boundary, const murk_incoming *incoming, double u,
+                    double v)
 {
     if (incoming->uniform || boundary->heading <= 0)
         return incoming->sky;
@@ -86,28 +88,32 @@ static double bring(const murk_boundary *boundary, const murk_incoming *incoming
     return sum / (boundary->samples[0] * boundary->samples[1]);
 }
 
-void murk_boundary_enter(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
-                         int32_t v, int n, float *state)
+double murk_boundary_enter(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
+                           int32_t v, int n, float *state, ptrdiff_t stride)
 {
     bool varies = !incoming->uniform && boundary->heading > 0;
     bool dark = varies && !incoming->patch && incoming->horizon == 0;
     float same = dark ? 0 : (float)incoming->sky;
-    for (int row = 0; row < n; row++)
-        for (int i = 0; i < n; i++)
-            *state++ = varies && !dark ? (float)bring(boundary, incoming, u + i, v + row) : same;
+    double sum = 0;
+    for (int row = 0; row < n; row++, state += stride)
+        for (int i = 0; i < n; i++) {
+            state[i] = varies && !dark ? (float)bring(boundary, incoming, u + i, v + row) : same;
+            sum += state[i];
+        }
+    return sum;
 }
 
-void murk_boundary_leave(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
-                         int32_t v, int n, const float *state, double power_per_line,
-                         double *patch_power)
+double murk_boundary_leave(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
+                           int32_t v, int n, const float *state, ptrdiff_t stride,
+                           double power_per_line, double *patch_power)
 {
-    if (boundary->heading >= 0)
-        return;
-    double share = power_per_line / (boundary->samples[0] * boundary->samples[1]);
-    for (int row = 0; row < n; row++)
+    bool lands = boundary->heading < 0 && patch_power;
+    double share = power_per_line / (boundary->samples[0] * boundary->samples[1]), sum = 0;
+    for (int row = 0; row < n; row++, state += stride)
         for (int i = 0; i < n; i++) {
-            double change = *state++ - (float)incoming->sky;
-            if (change == 0)
+            double change = state[i] - (float)incoming->sky;
+            sum += state[i];
+            if (!lands || change == 0)
                 continue;
             FOR_SAMPLES(boundary, u + i, v + row, patch)
             {
@@ -115,4 +121,5 @@ void murk_boundary_leave(const murk_boundary *boundary, const murk_incoming *inc
                     patch_power[patch] += share * change;
             }
         }
+    return sum;
 }

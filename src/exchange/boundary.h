@@ -10,7 +10,7 @@
 typedef struct murk_incoming {
     const float *patch; /* radiosity of each patch, NULL: 0 */
     double sky, horizon;
-    bool uniform;       /* a beam: every line brings `sky`, wherever it comes from */
+    bool uniform; /* a beam: every line brings `sky`, wherever it comes from */
 } murk_incoming;
 
 /*
@@ -29,14 +29,15 @@ typedef struct murk_boundary {
 void murk_boundary_lay(murk_boundary *boundary, const murk_grid *grid, const murk_ground *ground,
                        const murk_lattice *lattice);
 
-/* State of the lines u ... u + n - 1, v ... v + n - 1 as they enter, rows of n along u. */
-void murk_boundary_enter(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
-                         int32_t v, int n, float *state);
+/* Sets the states of the n x n lines from (u, v) on as they enter, rows `stride` apart, and returns
+   their sum. */
+double murk_boundary_enter(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
+                           int32_t v, int n, float *state, ptrdiff_t stride);
 
 /* Adds power_per_line * (I_out - I_in) of the same lines to the patches where they end on the
-   ground [W]. */
-void murk_boundary_leave(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
-                         int32_t v, int n, const float *state, double power_per_line,
-                         double *patch_power);
+   ground [W]; patch_power may be NULL. Returns the sum of the states. */
+double murk_boundary_leave(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
+                           int32_t v, int n, const float *state, ptrdiff_t stride,
+                           double power_per_line, double *patch_power);
 
 #endif

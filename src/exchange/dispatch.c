@@ -33,6 +33,6 @@ murk_status murk_kernel_choose(murk_context *context, murk_kernel_fn **kernel, c
         *name = kernels[i].name;
         return MURK_OK;
     }
-    return murk_fail(context, MURK_ERROR_INPUT, "kernel: this processor cannot run %s; leave it out",
-                     context->kernel);
+    return murk_fail(context, MURK_ERROR_INPUT,
+                     "kernel: this processor cannot run %s; leave it out", context->kernel);
 }

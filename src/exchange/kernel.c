@@ -23,7 +23,8 @@ static inline float exp_minus(float x)
     float y = (x < 80 ? x : 80) * -1.44269504f;
     float n = (float)(int32_t)(y - 0.5f);
     float r = (y - n) * 0.693147181f;
-    float p = 1 + r * (1 + r * (1 / 2.f + r * (1 / 6.f + r * (1 / 24.f + r * (1 / 120.f + r / 720.f)))));
+    float p =
+        1 + r * (1 + r * (1 / 2.f + r * (1 / 6.f + r * (1 / 24.f + r * (1 / 120.f + r / 720.f)))));
     int32_t bits = ((int32_t)n + 127) << 23;
     float scale;
     memcpy(&scale, &bits, sizeof scale);

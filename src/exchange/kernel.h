@@ -20,16 +20,17 @@ typedef struct murk_kernel_job {
     float *plane;         /* I [W/m^2], pi times the radiance on each line */
     ptrdiff_t stride;
     const murk_layer *layer;
-    int sign;             /* of travel through the layers */
+    int sign; /* of travel through the layers */
     float weight;
-    bool thin;            /* all x stay below MURK_THIN: phi by its series */
+    bool thin; /* all x stay below MURK_THIN: phi by its series */
 } murk_kernel_job;
 
 #define MURK_THIN 0.3f
 
 typedef void murk_kernel_fn(const murk_kernel_job *job);
 
-/* The kernel by name, or for NULL the fastest that this processor runs; *name is set to the name. */
+/* The kernel by name, or for NULL the fastest that this processor runs; *name is set to the name.
+ */
 murk_status murk_kernel_choose(murk_context *context, murk_kernel_fn **kernel, const char **name);
 
 #endif

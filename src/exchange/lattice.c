@@ -46,9 +46,10 @@ static void lay_layer(murk_layer *layer, const double entry[2], const double cha
         int c = at[0] <= at[1] ? 0 : 1;
         double next = at[c] < 1 ? at[c] : 1;
         if (next > t) {
-            layer->segment[layer->count++] = (murk_segment){
-                .du = d[0], .dv = d[1], .length = (float)((next - t) * length),
-                .fraction = (float)(next - t)};
+            layer->segment[layer->count++] = (murk_segment){.du = d[0],
+                                                            .dv = d[1],
+                                                            .length = (float)((next - t) * length),
+                                                            .fraction = (float)(next - t)};
             t = next;
         }
         if (!(at[c] < 1))
@@ -88,8 +89,8 @@ void murk_lattice_layers(const murk_lattice *lattice, const murk_grid *grid, int
         out->last[c] = INT32_MIN;
     }
     for (int32_t k = 0; k < MURK_BRICK_EDGE; k++) {
-        double c_in = (double)brick * MURK_BRICK_EDGE + k - grid->lo[lattice->axis] +
-                      (lattice->sign < 0);
+        double c_in =
+            (double)brick * MURK_BRICK_EDGE + k - grid->lo[lattice->axis] + (lattice->sign < 0);
         double entry[2], change[2];
         for (int c = 0; c < 2; c++) {
             entry[c] = lattice->offset[c] + lattice->slope[c] * (c_in - lattice->middle);

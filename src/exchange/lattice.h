@@ -45,13 +45,13 @@ enum { MURK_WINDOW = 17 };
  * voxel is crossed by lines of the total length that its volume demands: sum of length * area = V.
  */
 typedef struct murk_lattice {
-    int axis, u, v;     /* dominant axis; u > v in memory order: v runs over rows, u along them */
-    int sign;           /* of travel along axis */
+    int axis, u, v; /* dominant axis; u > v in memory order: v runs over rows, u along them */
+    int sign;       /* of travel along axis */
     double direction[3];
     double offset[2], slope[2], middle; /* [0] along u, [1] along v */
     double span, weight;
-    double length;      /* of a line within a layer [m] */
-    double area;        /* perpendicular cross-section of a whole face [m^2] */
+    double length; /* of a line within a layer [m] */
+    double area;   /* perpendicular cross-section of a whole face [m^2] */
 } murk_lattice;
 
 /* Dominant axis of a direction in voxels, and the signs of travel packed in bits 0..2 for x, y, z:

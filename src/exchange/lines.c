@@ -56,8 +56,7 @@ static double flux_ratio(const murk_grid *grid, const murk_ground *ground,
 }
 
 murk_status murk_lines_create(murk_context *context, const murk_grid *grid, const float *kappa_t,
-                              const murk_ground *ground, int directions, int rays,
-                              murk_lines **out)
+                              const murk_ground *ground, int directions, int rays, murk_lines **out)
 {
     murk_quadrature quadrature;
     int orbits = (directions + MURK_ORBIT - 1) / MURK_ORBIT;
@@ -111,9 +110,8 @@ murk_status murk_lines_apply(murk_context *context, murk_lines *lines, const mur
                              murk_incident *out)
 {
     const murk_incoming incoming = {.patch = in->patch, .sky = in->sky, .horizon = in->horizon};
-    murk_status status =
-        murk_sweep_run(context, lines->sweep, in->zone, &incoming, 4, out->zone,
-                       out->patch ? lines->patch_power : NULL, &out->net_power);
+    murk_status status = murk_sweep_run(context, lines->sweep, in->zone, &incoming, 4, out->zone,
+                                        out->patch ? lines->patch_power : NULL, &out->net_power);
     if (status || !out->patch || !lines->ground)
         return status;
     for (size_t i = 0; i < lines->ground->patch_count; i++)
@@ -147,5 +145,8 @@ static void lines_release(void *state)
     murk_lines_release(state);
 }
 
-const murk_exchange_method murk_exchange_lines = {
-    .name = "lines", .init = lines_init, .apply = lines_apply, .row = NULL, .release = lines_release};
+const murk_exchange_method murk_exchange_lines = {.name = "lines",
+                                                  .init = lines_init,
+                                                  .apply = lines_apply,
+                                                  .row = NULL,
+                                                  .release = lines_release};

@@ -34,21 +34,26 @@ static bool grow(murk_plane *plane)
     size_t capacity = plane->capacity ? 2 * plane->capacity : 8;
     float *state = murk_alloc(capacity * MURK_PAGE_LINES, sizeof *state);
     int32_t(*place)[2] = murk_alloc(capacity, sizeof *place);
+    uint64_t *tiles = murk_alloc(capacity, sizeof *tiles);
     int32_t *bucket = murk_alloc(2 * capacity, sizeof *bucket);
-    if (!state || !place || !bucket) {
+    if (!state || !place || !tiles || !bucket) {
         murk_free(state);
         murk_free(place);
+        murk_free(tiles);
         murk_free(bucket);
         return false;
     }
     if (plane->count) {
         memcpy(state, plane->state, plane->count * MURK_PAGE_LINES * sizeof *state);
         memcpy(place, plane->place, plane->count * sizeof *place);
+        memcpy(tiles, plane->tiles, plane->count * sizeof *tiles);
     }
     murk_free(plane->state);
     murk_free(plane->place);
+    murk_free(plane->tiles);
     murk_free(plane->bucket);
     plane->state = state;
+    plane->tiles = tiles;
     plane->place = place;
     plane->bucket = bucket;
     plane->capacity = capacity;
@@ -71,13 +76,36 @@ static int32_t find_page(murk_plane *plane, int32_t u, int32_t v)
     int32_t page = (int32_t)plane->count++;
     plane->place[page][0] = u;
     plane->place[page][1] = v;
+    plane->tiles[page] = 0;
     enter_hash(plane, page);
-    float *state = plane->state + (size_t)page * MURK_PAGE_LINES;
-    murk_boundary_enter(plane->boundary, plane->incoming, u * MURK_PAGE, v * MURK_PAGE, MURK_PAGE,
-                        state);
-    for (int n = 0; n < MURK_PAGE_LINES; n++)
-        plane->entered += state[n];
     return page;
+}
+
+/* Bits first ... last of 8. */
+static uint64_t run_of_bits(int first, int last)
+{
+    return (0xFFu >> (7 - last)) & (0xFFu << first);
+}
+
+/* Lets the lines of a page enter whose tiles the range u0 ... u1, v0 ... v1 meets for the first
+   time; the range is cut to the page. */
+static void enter_tiles(murk_plane *plane, int32_t page, int32_t u0, int32_t u1, int32_t v0,
+                        int32_t v1)
+{
+    int32_t u = plane->place[page][0] * MURK_PAGE, v = plane->place[page][1] * MURK_PAGE;
+    int first_u = u0 > u ? (u0 - u) / MURK_TILE : 0, first_v = v0 > v ? (v0 - v) / MURK_TILE : 0;
+    int last_u = u1 < u + MURK_PAGE ? (u1 - u) / MURK_TILE : 7;
+    int last_v = v1 < v + MURK_PAGE ? (v1 - v) / MURK_TILE : 7;
+    uint64_t row = run_of_bits(first_u, last_u), met = 0;
+    for (int tile = first_v; tile <= last_v; tile++)
+        met |= row << 8 * tile;
+    for (uint64_t fresh = met & ~plane->tiles[page]; fresh; fresh &= fresh - 1) {
+        int bit = __builtin_ctzll(fresh), at_u = bit % 8 * MURK_TILE, at_v = bit / 8 * MURK_TILE;
+        plane->entered += murk_boundary_enter(
+            plane->boundary, plane->incoming, u + at_u, v + at_v, MURK_TILE,
+            plane->state + (size_t)page * MURK_PAGE_LINES + at_v * MURK_PAGE + at_u, MURK_PAGE);
+    }
+    plane->tiles[page] |= met;
 }
 
 bool murk_plane_reset(murk_plane *plane, const murk_boundary *boundary,
@@ -95,6 +123,7 @@ void murk_plane_clear(murk_plane *plane)
 {
     murk_free(plane->state);
     murk_free(plane->place);
+    murk_free(plane->tiles);
     murk_free(plane->bucket);
     memset(plane, 0, sizeof *plane);
 }
@@ -140,6 +169,7 @@ bool murk_plane_open(murk_plane *plane, int32_t u0, int32_t u1, int32_t v0, int3
             page = find_page(plane, pu, pv);
             if (page < 0)
                 return false;
+            enter_tiles(plane, page, u0, u1, v0, v1);
         }
     window->copied = pu0 != pu1 || pv0 != pv1;
     if (!window->copied) {
@@ -166,15 +196,14 @@ void murk_plane_close(murk_plane *plane, murk_window *window)
 double murk_plane_leave(const murk_plane *plane, double power_per_line, double *patch_power)
 {
     double left = 0;
-    for (size_t page = 0; page < plane->count; page++) {
-        const float *state = plane->state + page * MURK_PAGE_LINES;
-        for (int n = 0; n < MURK_PAGE_LINES; n++)
-            left += state[n];
-        if (patch_power)
-            murk_boundary_leave(plane->boundary, plane->incoming,
-                                plane->place[page][0] * MURK_PAGE,
-                                plane->place[page][1] * MURK_PAGE, MURK_PAGE, state,
-                                power_per_line, patch_power);
-    }
+    for (size_t page = 0; page < plane->count; page++)
+        for (uint64_t met = plane->tiles[page]; met; met &= met - 1) {
+            int bit = __builtin_ctzll(met), u = bit % 8 * MURK_TILE, v = bit / 8 * MURK_TILE;
+            left += murk_boundary_leave(plane->boundary, plane->incoming,
+                                        plane->place[page][0] * MURK_PAGE + u,
+                                        plane->place[page][1] * MURK_PAGE + v, MURK_TILE,
+                                        plane->state + page * MURK_PAGE_LINES + v * MURK_PAGE + u,
+                                        MURK_PAGE, power_per_line, patch_power);
+        }
     return power_per_line * (plane->entered - left);
 }

@@ -5,22 +5,24 @@
 
 #include "boundary.h"
 
-enum { MURK_PAGE = 64, MURK_PAGE_LINES = MURK_PAGE * MURK_PAGE };
+/* A page is 64 x 64 lines, in 8 x 8 tiles of 8 x 8. */
+enum { MURK_PAGE = 64, MURK_PAGE_LINES = MURK_PAGE * MURK_PAGE, MURK_TILE = 8 };
 
 /*
- * Lines are kept in square pages that come into being where a brick first meets one of their
- * lines: memory follows the bricks and not the box around them, and a line keeps its state across
- * empty space at no cost.
+ * Lines are kept in pages that come into being where a brick first meets one of their lines: memory
+ * follows the bricks and not the box around them, and a line keeps its state across empty space at
+ * no cost. Within a page the tiles that are met get their state from the boundary, the rest none.
  */
 typedef struct murk_plane {
     const murk_boundary *boundary;
     const murk_incoming *incoming;
     int32_t (*place)[2]; /* page coordinates */
+    uint64_t *tiles;     /* which tiles of a page have been met: bit v * 8 + u */
     float *state;        /* MURK_PAGE_LINES a page */
     size_t count, capacity;
     int32_t *bucket; /* hash of page numbers, -1 where free */
     size_t bucket_mask;
-    double entered;  /* sum of the states as they entered */
+    double entered; /* sum of the states as they entered */
 } murk_plane;
 
 /* A window of lines (u, v) ... of at most MURK_WINDOW each way, opened for the kernel. */

@@ -118,7 +118,8 @@ static bool fit_weights(int n, const double (*base)[3], int fitted, double *weig
 static void place_orbit(const double p[3], const double s[3], double weight,
                         murk_quadrature *quadrature, int first)
 {
-    static const int order[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    static const int order[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                    {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     for (int i = 0; i < MURK_ORBIT; i++) {
         bool turned = (__builtin_popcount((unsigned)i & 7) + (i >= 24)) % 2 == 0;
         for (int c = 0; c < 3; c++) {

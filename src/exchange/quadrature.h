@@ -18,10 +18,10 @@ typedef struct murk_quadrature {
     int count;              /* a multiple of MURK_ORBIT; images of a base point stand together */
     double (*direction)[3]; /* unit vectors */
     double *weight;         /* > 0, sum 1 */
-    /* Where a line of each direction passes, as a displacement from the middle of a voxel in voxels,
-       so that the directions together sample the voxels evenly. It turns with the direction under
-       rotations of the lattice, and is the same for Omega and -Omega. (Under reflections alone it
-       is not: a mirrored scene has the mirrored solution within the angular error.) */
+    /* Where a line of each direction passes, as a displacement from the middle of a voxel in
+       voxels, so that the directions together sample the voxels evenly. It turns with the direction
+       under rotations of the lattice, and is the same for Omega and -Omega. (Under reflections
+       alone it is not: a mirrored scene has the mirrored solution within the angular error.) */
     double (*shift)[3];
 } murk_quadrature;
 

@@ -21,7 +21,7 @@ struct murk_sweep {
     int32_t *row_of[3]; /* for each brick, which of the rows along an axis it lies in */
     int32_t *row[3];    /* brick coordinate of each row that holds bricks */
     int row_count[3];
-    int32_t *order[4];  /* bricks so that each stands behind those upstream, for signs +++ ... ++- */
+    int32_t *order[4]; /* bricks so that each stands behind those upstream, for signs +++ ... ++- */
     float *brick_kappa; /* largest kappa_t of each brick */
     murk_kernel_fn *kernel;
     const char *kernel_name;
@@ -36,7 +36,8 @@ struct sort_key {
 static int compare_keys(const void *a, const void *b)
 {
     const struct sort_key *u = a, *v = b;
-    return u->key != v->key ? (u->key < v->key ? -1 : 1) : (u->index > v->index) - (u->index < v->index);
+    return u->key != v->key ? (u->key < v->key ? -1 : 1)
+                            : (u->index > v->index) - (u->index < v->index);
 }
 
 static bool make_blocks(murk_sweep *sweep, const murk_line *lines, int count)
@@ -50,8 +51,8 @@ static bool make_blocks(murk_sweep *sweep, const murk_line *lines, int count)
     }
     for (int i = 0; i < count; i++)
         keys[i] = (struct sort_key){murk_lattice_axis(sweep->grid, lines[i].direction) * 8 +
-                                 murk_lattice_signs(lines[i].direction),
-                             i};
+                                        murk_lattice_signs(lines[i].direction),
+                                    i};
     qsort(keys, (size_t)count, sizeof *keys, compare_keys);
     for (int i = 0; i < count; i++) {
         sweep->line[i] = lines[keys[i].index];
@@ -59,8 +60,8 @@ static bool make_blocks(murk_sweep *sweep, const murk_line *lines, int count)
         if (last && last->count < MURK_BLOCK && last->axis * 8 + last->signs == keys[i].key)
             last->count++;
         else
-            sweep->blocks[sweep->block_count++] =
-                (struct block){.first = i, .count = 1, .axis = keys[i].key >> 3, .signs = keys[i].key & 7};
+            sweep->blocks[sweep->block_count++] = (struct block){
+                .first = i, .count = 1, .axis = keys[i].key >> 3, .signs = keys[i].key & 7};
     }
     sweep->line_count = count;
     murk_free(keys);
@@ -92,8 +93,8 @@ static bool make_orders(murk_sweep *sweep)
         ok = sweep->order[o];
         for (size_t b = 0; ok && b < grid->brick_count; b++)
             keys[b] = (struct brick_key){{grid->brick[b][0], (o & 1 ? -1 : 1) * grid->brick[b][1],
-                                   (o & 2 ? -1 : 1) * grid->brick[b][2]},
-                                  (int32_t)b};
+                                          (o & 2 ? -1 : 1) * grid->brick[b][2]},
+                                         (int32_t)b};
         if (ok && o)
             qsort(keys, grid->brick_count, sizeof *keys, compare_bricks);
         for (size_t b = 0; ok && b < grid->brick_count; b++)
@@ -366,6 +367,6 @@ murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, const float
     }
     murk_free(workers);
     return ok ? MURK_OK
-              : murk_fail(context, MURK_ERROR_MEMORY, "out of memory for the lines of %d directions",
-                          sweep->line_count);
+              : murk_fail(context, MURK_ERROR_MEMORY,
+                          "out of memory for the lines of %d directions", sweep->line_count);
 }

@@ -74,9 +74,7 @@ static bool reaches(const uint64_t mask[8], int margin, int dx, int dy, int dz)
     uint8_t z = 0;
     for (int y = y0; y < y1; y++)
         z |= (uint8_t)(yz >> 8 * y);
-    uint8_t zs = (uint8_t)(dz > 0   ? 0xFFu << (8 - margin)
-                           : dz < 0 ? 0xFFu >> (8 - margin)
-                                    : 0xFFu);
+    uint8_t zs = (uint8_t)(dz > 0 ? 0xFFu << (8 - margin) : dz < 0 ? 0xFFu >> (8 - margin) : 0xFFu);
     return z & zs;
 }
 

@@ -177,8 +177,8 @@ murk_status murk_grid_create(murk_context *context, const murk_bricks *bricks, b
     for (int c = 0; c < 3; c++) {
         grid->corner[c] = bricks->index_to_world[4 * c + 3];
         for (int a = 0; a < 3; a++)
-            grid->corner[c] += bricks->index_to_world[4 * c + a] *
-                               ((double)grid->lo[a] - (corner ? 0.0 : 0.5));
+            grid->corner[c] +=
+                bricks->index_to_world[4 * c + a] * ((double)grid->lo[a] - (corner ? 0.0 : 0.5));
     }
     *out = grid;
     return MURK_OK;
@@ -201,22 +201,23 @@ void murk_grid_release(murk_grid *grid)
 int64_t murk_grid_slot(const murk_grid *grid, int32_t i, int32_t j, int32_t k)
 {
     int32_t b = murk_grid_find(grid, i >> 3, j >> 3, k >> 3);
-    return b == MURK_NO_BRICK ? -1
-                              : (int64_t)b * MURK_BRICK_SLOTS + (i & 7) * 64 + (j & 7) * 8 + (k & 7);
+    return b == MURK_NO_BRICK
+               ? -1
+               : (int64_t)b * MURK_BRICK_SLOTS + (i & 7) * 64 + (j & 7) * 8 + (k & 7);
 }
 
 void murk_grid_direction_to_world(const murk_grid *grid, const double frame[3], double world[3])
 {
     for (int c = 0; c < 3; c++)
-        world[c] = grid->axis[0][c] * frame[0] + grid->axis[1][c] * frame[1] +
-                   grid->axis[2][c] * frame[2];
+        world[c] =
+            grid->axis[0][c] * frame[0] + grid->axis[1][c] * frame[1] + grid->axis[2][c] * frame[2];
 }
 
 void murk_grid_direction_from_world(const murk_grid *grid, const double world[3], double frame[3])
 {
     for (int a = 0; a < 3; a++)
-        frame[a] = grid->axis[a][0] * world[0] + grid->axis[a][1] * world[1] +
-                   grid->axis[a][2] * world[2];
+        frame[a] =
+            grid->axis[a][0] * world[0] + grid->axis[a][1] * world[1] + grid->axis[a][2] * world[2];
 }
 
 void murk_grid_to_world(const murk_grid *grid, const double frame[3], double world[3])

@@ -18,9 +18,10 @@ enum { MURK_NO_BRICK = -1 };
  */
 typedef struct murk_grid {
     size_t brick_count;
-    int32_t (*brick)[3];  /* ascending in (x, y, z) */
-    uint64_t (*mask)[8];  /* active voxels, as in murk_bricks */
-    size_t *zone_first;   /* number of the first active voxel of a brick; [brick_count] is the total */
+    int32_t (*brick)[3]; /* ascending in (x, y, z) */
+    uint64_t (*mask)[8]; /* active voxels, as in murk_bricks */
+    size_t
+        *zone_first; /* number of the first active voxel of a brick; [brick_count] is the total */
     size_t zone_count;
     int32_t lo[3], hi[3]; /* box of the active voxels, hi exclusive; lo == hi where empty */
     double voxel[3];      /* edge lengths of a voxel [m] */

@@ -28,8 +28,8 @@ static void place(murk_walk *walk, const int32_t low[3], const int32_t high[3])
 static void set_faces(murk_walk *walk)
 {
     for (int a = 0; a < 3; a++)
-        walk->t_next[a] = walk->step[a] ? face(walk, a, walk->cell[a] + (walk->step[a] > 0))
-                                        : INFINITY;
+        walk->t_next[a] =
+            walk->step[a] ? face(walk, a, walk->cell[a] + (walk->step[a] > 0)) : INFINITY;
 }
 
 void murk_walk_start(murk_walk *walk, const murk_grid *grid, const double origin[3],
@@ -77,8 +77,8 @@ static void skip_brick(murk_walk *walk)
     for (int a = 0; a < 3; a++) {
         low[a] = ((walk->cell[a] + lo[a]) & ~7) - lo[a];
         high[a] = low[a] + 7;
-        double exit = walk->step[a] ? face(walk, a, walk->step[a] > 0 ? low[a] + 8 : low[a])
-                                    : INFINITY;
+        double exit =
+            walk->step[a] ? face(walk, a, walk->step[a] > 0 ? low[a] + 8 : low[a]) : INFINITY;
         if (exit < t) {
             t = exit;
             through = a;
@@ -105,8 +105,8 @@ bool murk_walk_next(murk_walk *walk, murk_step *step)
         double t1 = fmin(walk->t_next[a], walk->t_end);
         const int32_t *cell = walk->cell;
         step->brick = walk->brick;
-        step->slot = ((cell[0] + lo[0]) & 7) * 64 + ((cell[1] + lo[1]) & 7) * 8 +
-                     ((cell[2] + lo[2]) & 7);
+        step->slot =
+            ((cell[0] + lo[0]) & 7) * 64 + ((cell[1] + lo[1]) & 7) * 8 + ((cell[2] + lo[2]) & 7);
         step->t0 = walk->t;
         step->t1 = t1;
         walk->cell[a] += walk->step[a];

@@ -5,10 +5,11 @@
 
 #include "grid.h"
 
-/* One step: the ray is in voxel `slot` of `brick` for t0 <= t < t1 (t in metres from the origin). */
+/* One step: the ray is in voxel `slot` of `brick` for t0 <= t < t1 (t in metres from the origin).
+ */
 typedef struct murk_step {
     int32_t brick;
-    int slot;      /* within the brick */
+    int slot; /* within the brick */
     double t0, t1;
 } murk_step;
 
@@ -17,11 +18,11 @@ typedef struct murk_walk {
     double origin[3], direction[3]; /* grid frame in voxels (not metres), per metre of t */
     double inverse[3];
     int step[3];
-    double t, t_end;      /* where the walk is and where it ends */
-    int32_t cell[3];      /* voxel index, relative to grid->lo */
-    double t_next[3];     /* t of the next voxel face on each axis */
+    double t, t_end;  /* where the walk is and where it ends */
+    int32_t cell[3];  /* voxel index, relative to grid->lo */
+    double t_next[3]; /* t of the next voxel face on each axis */
     double t_delta[3];
-    int32_t brick;        /* the brick that cell lies in, or MURK_NO_BRICK */
+    int32_t brick; /* the brick that cell lies in, or MURK_NO_BRICK */
 } murk_walk;
 
 /* Starts at origin (grid frame, m) along the unit vector direction, for t_min <= t <= t_max. */

@@ -56,8 +56,8 @@ murk_status murk_beam(murk_context *context, const murk_grid *grid, const float 
     murk_status status =
         murk_sweep_create(context, grid, kappa_t, ground, line, rays * rays, &sweep);
     if (!status)
-        status = murk_sweep_run(context, sweep, NULL, &incoming, 1, incident,
-                                patch ? power : NULL, extinguished);
+        status = murk_sweep_run(context, sweep, NULL, &incoming, 1, incident, patch ? power : NULL,
+                                extinguished);
     if (!status && patch && ground) {
         double undisturbed = murk_beam_on_ground(ground, sun);
         for (size_t i = 0; i < ground->patch_count; i++)

@@ -28,8 +28,8 @@ static bool cut(const murk_array *array, const float *values, double constant, m
             size_t at = ((size_t)i * (size_t)array->size[1] + (size_t)j) * (size_t)array->size[2] +
                         (size_t)k;
             out->mask[b][slot >> 6] |= (uint64_t)1 << (slot & 63);
-            out->values[b * MURK_BRICK_SLOTS + (size_t)slot] = values ? values[at]
-                                                                      : (float)constant;
+            out->values[b * MURK_BRICK_SLOTS + (size_t)slot] =
+                values ? values[at] : (float)constant;
         }
     }
     out->count = count;
@@ -46,8 +46,8 @@ murk_status murk_medium_from_array(murk_context *context, const murk_array *arra
 {
     for (int a = 0; a < 3; a++)
         if (array->size[a] < 1)
-            return murk_fail(context, MURK_ERROR_INPUT, "array: size[%d] is %d, at least 1 is needed",
-                             a, (int)array->size[a]);
+            return murk_fail(context, MURK_ERROR_INPUT,
+                             "array: size[%d] is %d, at least 1 is needed", a, (int)array->size[a]);
     murk_medium_parts parts = {.albedo_value = array->albedo_value,
                                .emission_value = array->emission_value,
                                .albedo_scale = 1,

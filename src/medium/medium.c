@@ -76,8 +76,8 @@ static murk_status take_values(murk_context *context, const murk_medium *medium,
     out->constant = (float)constant;
     if (!varies) {
         if (!(constant >= 0 && constant <= maximum))
-            return murk_fail(context, MURK_ERROR_INPUT, "%s: %s %g is not in [0, %g]",
-                             parts->where, name, constant, maximum);
+            return murk_fail(context, MURK_ERROR_INPUT, "%s: %s %g is not in [0, %g]", parts->where,
+                             name, constant, maximum);
         return MURK_OK;
     }
     murk_grid *lookup = NULL;
@@ -89,7 +89,8 @@ static murk_status take_values(murk_context *context, const murk_medium *medium,
     float *field = murk_alloc(slots, sizeof *field);
     if (!field) {
         murk_grid_release(lookup);
-        return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory for %s", parts->where, name);
+        return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory for %s", parts->where,
+                         name);
     }
     size_t *source = murk_alloc(lookup->brick_count, sizeof *source);
     for (size_t b = 0, from = 0; source && b < lookup->brick_count; b++, from++) {
@@ -129,8 +130,10 @@ static murk_status take_values(murk_context *context, const murk_medium *medium,
         return status;
     }
     if (bad)
-        murk_warn(context, "%s: the %s grid has %zu voxels that are NaN, infinite or negative: "
-                           "treated as 0", parts->where, name, bad);
+        murk_warn(context,
+                  "%s: the %s grid has %zu voxels that are NaN, infinite or negative: "
+                  "treated as 0",
+                  parts->where, name, bad);
     out->field = field;
     return MURK_OK;
 }

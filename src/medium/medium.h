@@ -28,14 +28,14 @@ struct murk_medium {
     double extinction_scale; /* kappa_t per unit of the grid, 0 where there was none */
 };
 
-/* What a medium is made from: kappa_t carries the topology (all active voxels, values already scaled
-   to 1/m); the others may have values NULL for a constant, and may cover other voxels. */
+/* What a medium is made from: kappa_t carries the topology (all active voxels, values already
+   scaled to 1/m); the others may have values NULL for a constant, and may cover other voxels. */
 typedef struct murk_medium_parts {
     murk_bricks kappa_t;
     murk_bricks albedo, emission; /* count 0: the constant holds */
     double albedo_value, emission_value;
     double albedo_scale, emission_scale; /* multiply the grid values */
-    double extinction_scale;      /* that kappa_t was scaled by, to be kept for reports */
+    double extinction_scale;             /* that kappa_t was scaled by, to be kept for reports */
     bool corner, strict;
     const char *where; /* for messages: "plume.vdb, grid density" */
 } murk_medium_parts;

@@ -62,8 +62,10 @@ murk_status murk_ground_fit(murk_context *context, const murk_medium *medium, co
         double high = fmax(low, info.box_max[up] - options->height);
         for (int c = 0; c < 2; c++) {
             double a = info.box_min[axis[c]], b = info.box_max[axis[c]];
-            options->extent_min[c] = fmin(a, a + fmin(slope[c] * low, slope[c] * high)) - 0.3 * size;
-            options->extent_max[c] = fmax(b, b + fmax(slope[c] * low, slope[c] * high)) + 0.3 * size;
+            options->extent_min[c] =
+                fmin(a, a + fmin(slope[c] * low, slope[c] * high)) - 0.3 * size;
+            options->extent_max[c] =
+                fmax(b, b + fmax(slope[c] * low, slope[c] * high)) + 0.3 * size;
         }
     }
     if (options->patches[0] <= 0 || options->patches[1] <= 0) {

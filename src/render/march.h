@@ -14,7 +14,8 @@ typedef struct murk_march {
 typedef struct murk_light {
     double path;          /* radiance from the medium [W/m^2/sr] */
     double transmittance; /* tau(L) */
-    double half_depth;    /* where half of the optical depth is passed [m]; INFINITY if there is none */
+    double
+        half_depth; /* where half of the optical depth is passed [m]; INFINITY if there is none */
 } murk_light;
 
 /* Optical depths passed along a ray, for half_depth; one per thread. */

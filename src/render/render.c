@@ -8,7 +8,21 @@
 
 #include <math.h>
 
-enum { R, G, B, A, TRANSMITTANCE, PATH_R, PATH_G, PATH_B, SURFACE_R, SURFACE_G, SURFACE_B, Z, CHANNELS };
+enum {
+    R,
+    G,
+    B,
+    A,
+    TRANSMITTANCE,
+    PATH_R,
+    PATH_G,
+    PATH_B,
+    SURFACE_R,
+    SURFACE_G,
+    SURFACE_B,
+    Z,
+    CHANNELS
+};
 
 static const char *const NAMES[CHANNELS] = {
     "R",      "G",      "B",         "A",         "transmittance.Y", "path.R",
@@ -51,15 +65,16 @@ static void behind(const murk_shot *shot, const double direction[3], double x, d
     if (isfinite(t_ground)) {
         const murk_ground *ground = solution->ground;
         int a = murk_ground_axis_a(ground), b = murk_ground_axis_b(ground);
-        double radiosity = murk_march_ground(&shot->march, shot->view.eye[a] + t_ground * direction[a],
-                                             shot->view.eye[b] + t_ground * direction[b]);
+        double radiosity =
+            murk_march_ground(&shot->march, shot->view.eye[a] + t_ground * direction[a],
+                              shot->view.eye[b] + t_ground * direction[b]);
         for (int c = 0; c < 3; c++)
             out[c] = radiosity / M_PI;
     } else {
         for (int c = 0; c < 3; c++)
-            out[c] = shot->background ? background_at(shot, c, x / shot->view.size[0],
-                                                      y / shot->view.size[1])
-                                      : solution->sky_radiance;
+            out[c] = shot->background
+                         ? background_at(shot, c, x / shot->view.size[0], y / shot->view.size[1])
+                         : solution->sky_radiance;
     }
 }
 
@@ -125,8 +140,8 @@ static murk_status shoot(murk_context *context, const murk_shot *shot, murk_imag
         for (int j = 0; j < image->height; j++) {
             for (int i = 0; ok && i < image->width; i++)
                 ok = shoot_pixel(shot, i, j, &trace,
-                                 image->pixels + ((size_t)j * (size_t)image->width + (size_t)i) *
-                                                     CHANNELS);
+                                 image->pixels +
+                                     ((size_t)j * (size_t)image->width + (size_t)i) * CHANNELS);
             int rows;
 #pragma omp atomic capture
             rows = ++done;
@@ -194,7 +209,8 @@ murk_status murk_render(murk_context *context, const murk_scene *scene,
     if (shot.background)
         choose_channels(shot.background, shot.background_channel);
     murk_image *image = NULL;
-    status = murk_image_create(context, shot.view.size[0], shot.view.size[1], CHANNELS, NAMES, &image);
+    status =
+        murk_image_create(context, shot.view.size[0], shot.view.size[1], CHANNELS, NAMES, &image);
     if (status)
         return status;
     shot.march.blocks = murk_blocks_create(context, solution);

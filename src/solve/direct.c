@@ -39,8 +39,8 @@ static murk_status gauss_seidel(const murk_system *system, const murk_solve_opti
     double *source = murk_alloc(count, sizeof *source), *value = murk_alloc(count, sizeof *value);
     murk_status status;
     if (!source || !value) {
-        status = murk_fail(system->context, MURK_ERROR_MEMORY, "out of memory for %zu elements",
-                           count);
+        status =
+            murk_fail(system->context, MURK_ERROR_MEMORY, "out of memory for %zu elements", count);
     } else {
         compact(system, b, source);
         memcpy(value, source, count * sizeof *value);
@@ -94,8 +94,8 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
                           .cost = 1};
     murk_vector b = {0}, x = {0};
     murk_outside outside;
-    murk_status status = system.method->init(context, solution->medium, solution->ground, options,
-                                             &system.state);
+    murk_status status =
+        system.method->init(context, solution->medium, solution->ground, options, &system.state);
     if (status)
         return status;
     double ready = murk_seconds();

@@ -18,12 +18,12 @@ murk_status murk_stage_create(murk_context *context, const murk_solution *soluti
     murk_stage stage = {.map = murk_alloc(from->brick_count, sizeof *stage.map),
                         .kappa_t = murk_alloc(slots, sizeof(float)),
                         .beam = murk_alloc(slots, sizeof(float)),
-                        .patch_sun = murk_alloc(solution->ground ? solution->ground->patch_count : 0,
-                                                sizeof(float))};
+                        .patch_sun = murk_alloc(
+                            solution->ground ? solution->ground->patch_count : 0, sizeof(float))};
     murk_status status = MURK_OK;
     if (!stage.map || !stage.kappa_t || !stage.beam || !stage.patch_sun) {
-        status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
-                           from->zone_count);
+        status =
+            murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones", from->zone_count);
     } else {
         for (size_t b = 0; b < from->brick_count; b++)
             stage.map[b] =
@@ -133,8 +133,7 @@ static struct sums fill_zones(murk_solution *solution, const murk_stage *stage,
     double volume = 4 * from->volume;
     for (size_t b = 0; b < from->brick_count; b++)
         for (size_t s = 0; s < MURK_BRICK_SLOTS; s++) {
-            size_t i = b * MURK_BRICK_SLOTS + s,
-                   o = (size_t)stage->map[b] * MURK_BRICK_SLOTS + s;
+            size_t i = b * MURK_BRICK_SLOTS + s, o = (size_t)stage->map[b] * MURK_BRICK_SLOTS + s;
             double weight = volume * medium->kappa_t[i];
             if (!(weight > 0))
                 continue;
@@ -228,8 +227,8 @@ murk_status murk_finish(murk_context *context, murk_solution *solution, const mu
     float *incident = murk_alloc(patches, sizeof *incident);
     murk_status status = MURK_OK;
     if (!source || !net || !incident)
-        status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu voxels",
-                           grid->zone_count);
+        status =
+            murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu voxels", grid->zone_count);
     if (!status)
         status = murk_lines_create(context, grid, stage->kappa_t, solution->ground,
                                    solved->directions, solved->rays, &lines);

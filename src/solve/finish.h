@@ -7,10 +7,10 @@
 
 /* The medium on the solution's grid, and the direct beam there. */
 typedef struct murk_stage {
-    int32_t *map;       /* brick of the solution's grid for each brick of the medium's */
-    float *kappa_t;     /* on the solution's grid */
-    float *beam;        /* G of the direct beam on the solution's grid [W/m^2] */
-    float *patch_sun;   /* direct irradiance of the patches [W/m^2] */
+    int32_t *map;        /* brick of the solution's grid for each brick of the medium's */
+    float *kappa_t;      /* on the solution's grid */
+    float *beam;         /* G of the direct beam on the solution's grid [W/m^2] */
+    float *patch_sun;    /* direct irradiance of the patches [W/m^2] */
     double extinguished; /* what the medium takes from the beam [W] */
 } murk_stage;
 
@@ -22,10 +22,10 @@ typedef struct murk_outside {
 
 /* A solved system to be finished. */
 typedef struct murk_solved {
-    const float *zone, *patch;  /* x; patch NULL without ground */
-    const float *source;        /* b in the zones, or NULL: no rebalance, the zones keep x */
-    murk_outside outside;       /* used with source */
-    int directions, rays;       /* lines of the final application */
+    const float *zone, *patch; /* x; patch NULL without ground */
+    const float *source;       /* b in the zones, or NULL: no rebalance, the zones keep x */
+    murk_outside outside;      /* used with source */
+    int directions, rays;      /* lines of the final application */
 } murk_solved;
 
 murk_status murk_stage_create(murk_context *context, const murk_solution *solution,

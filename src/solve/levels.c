@@ -34,9 +34,9 @@ static murk_status set_level(murk_levels *levels, const murk_solution *solution,
 {
     murk_lines_release(levels->lines[which]);
     levels->lines[which] = NULL;
-    murk_status status = murk_lines_create(levels->context, solution->medium->grid,
-                                           solution->medium->kappa_t, solution->ground, directions,
-                                           rays, &levels->lines[which]);
+    murk_status status =
+        murk_lines_create(levels->context, solution->medium->grid, solution->medium->kappa_t,
+                          solution->ground, directions, rays, &levels->lines[which]);
     if (status)
         return status;
     murk_system *system = which ? &levels->fine : &levels->coarse;
@@ -69,9 +69,9 @@ static murk_status correct(murk_levels *levels, double goal, double *first)
         double left = sqrt(murk_vector_product(&levels->fine, &levels->r, &levels->r));
         levels->residual = norm > 0 ? left / norm : 0;
         murk_cg_result result;
-        status = murk_conjugate_gradients(&levels->coarse, &levels->r, &levels->d, 0.1,
-                                          0.2 * goal * norm, levels->options->max_iterations,
-                                          &result);
+        status =
+            murk_conjugate_gradients(&levels->coarse, &levels->r, &levels->d, 0.1,
+                                     0.2 * goal * norm, levels->options->max_iterations, &result);
         if (status)
             return status;
         levels->iterations += result.iterations;
@@ -97,7 +97,8 @@ static murk_status begin(murk_levels *levels, const murk_solution *solution,
                          const murk_stage *stage, double goal)
 {
     murk_cg_result result;
-    murk_status status = murk_source_build(&levels->coarse, solution, stage, &levels->b, &levels->outside);
+    murk_status status =
+        murk_source_build(&levels->coarse, solution, stage, &levels->b, &levels->outside);
     if (!status)
         status = murk_conjugate_gradients(&levels->coarse, &levels->b, &levels->x, goal, 0,
                                           levels->options->max_iterations, &result);
@@ -123,7 +124,8 @@ static murk_status refine(murk_levels *levels, murk_solution *solution, const mu
         if (!status)
             status = set_level(levels, solution, 1, directions, o->rays);
         if (!status)
-            status = murk_source_build(&levels->fine, solution, stage, &levels->b, &levels->outside);
+            status =
+                murk_source_build(&levels->fine, solution, stage, &levels->b, &levels->outside);
         double first = 0;
         if (!status)
             status = correct(levels, goal, &first);

@@ -11,8 +11,8 @@
 murk_status murk_source_build(const murk_system *system, const murk_solution *solution,
                               const murk_stage *stage, murk_vector *b, murk_outside *outside);
 
-/* Each fills the solution and its report; options are complete (no zeros that stand for defaults but
-   directions). MURK_NOT_REACHED where the estimate stays above the tolerance. */
+/* Each fills the solution and its report; options are complete (no zeros that stand for defaults
+   but directions). MURK_NOT_REACHED where the estimate stays above the tolerance. */
 murk_status murk_solve_lines(murk_context *context, murk_solution *solution,
                              const murk_stage *stage, const murk_solve_options *options);
 murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,

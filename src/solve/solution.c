@@ -21,8 +21,8 @@ murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
     if (!(scene->sun.irradiance >= 0) || !isfinite(scene->sun.irradiance))
         return murk_fail(context, MURK_ERROR_INPUT,
                          "sun.irradiance: %g is not a finite number >= 0", scene->sun.irradiance);
-    double length = hypot(hypot(scene->sun.direction[0], scene->sun.direction[1]),
-                          scene->sun.direction[2]);
+    double length =
+        hypot(hypot(scene->sun.direction[0], scene->sun.direction[1]), scene->sun.direction[2]);
     if (scene->sun.irradiance > 0 && !(length > 0 && isfinite(length)))
         return murk_fail(context, MURK_ERROR_INPUT, "sun.direction: a vector of length 0");
 
@@ -39,10 +39,9 @@ murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
         murk_warn(context, "sun.direction: the sun stands below the ground's horizon and lights "
                            "nothing; direction is the way the light travels, so down");
     if (ground)
-        solution->horizon =
-            ground->mean_emission +
-            ground->mean_reflectance *
-                (murk_beam_on_ground(ground, &scene->sun) + M_PI * scene->sky_radiance);
+        solution->horizon = ground->mean_emission +
+                            ground->mean_reflectance * (murk_beam_on_ground(ground, &scene->sun) +
+                                                        M_PI * scene->sky_radiance);
     murk_status status = murk_grid_dilate(context, scene->medium->input, MARGIN, &solution->grid);
     if (!status) {
         /* The same lines cross the zones here as on the medium's own grid. */

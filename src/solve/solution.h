@@ -7,7 +7,7 @@
 #include "medium.h"
 
 struct murk_solution {
-    murk_context *context; /* takes the messages of calls on the solution */
+    murk_context *context;     /* takes the messages of calls on the solution */
     const murk_medium *medium; /* shared */
     const murk_ground *ground; /* shared, or NULL */
     murk_sun sun;

@@ -28,9 +28,9 @@ murk_status murk_source_build(const murk_system *system, const murk_solution *so
             size_t i = brick * MURK_BRICK_SLOTS + s;
             double weight = 4 * medium->grid->volume * medium->kappa_t[i];
             float albedo = murk_value(&medium->albedo, i), incident = b->zone[i] + beam[s] / 4;
-            b->zone[i] = weight > 0 ? albedo * incident +
-                                          (1 - albedo) * murk_value(&medium->emission, i)
-                                    : 0;
+            b->zone[i] = weight > 0
+                             ? albedo * incident + (1 - albedo) * murk_value(&medium->emission, i)
+                             : 0;
             sums.absorbed += weight * (1 - albedo) * incident;
         }
     }

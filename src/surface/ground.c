@@ -10,7 +10,8 @@ static const double REACH = 30;
 static murk_status check(murk_context *context, const murk_ground_options *o)
 {
     for (int c = 0; c < 2; c++) {
-        if (!(o->extent_max[c] > o->extent_min[c]) || !isfinite(o->extent_max[c] - o->extent_min[c]))
+        if (!(o->extent_max[c] > o->extent_min[c]) ||
+            !isfinite(o->extent_max[c] - o->extent_min[c]))
             return murk_fail(context, MURK_ERROR_INPUT,
                              "ground.extent: [%g, %g] is empty on axis %c; the second corner has "
                              "to lie beyond the first",

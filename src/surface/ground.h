@@ -16,10 +16,10 @@ struct murk_ground {
     murk_up up;
     double height;
     bool horizon;
-    int interior[2]; /* nx, ny as the user gave them */
-    int margin;      /* patches added on every side */
-    int count[2];    /* interior + 2 * margin */
-    double *edge[2]; /* count + 1 coordinates [m] */
+    int interior[2];     /* nx, ny as the user gave them */
+    int margin;          /* patches added on every side */
+    int count[2];        /* interior + 2 * margin */
+    double *edge[2];     /* count + 1 coordinates [m] */
     double per_metre[2]; /* interior patches per metre */
     size_t patch_count;
     float *reflectance; /* rho per patch */

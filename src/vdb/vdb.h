@@ -14,6 +14,10 @@ extern "C" {
 #define MURK_NOEXCEPT
 #endif
 
+/* The module is compiled with default visibility for the sake of OpenVDB's templates; these names are
+   the library's own all the same. */
+#pragma GCC visibility push(hidden)
+
 /* The grids of one file or stream. */
 typedef struct murk_vdb murk_vdb;
 
@@ -54,6 +58,8 @@ murk_status murk_vdb_write(murk_context *context, const char *path, const murk_v
                            size_t grid_count, const murk_vdb_meta *meta, size_t meta_count,
                            const murk_vdb *transform_of, size_t transform_index,
                            bool half) MURK_NOEXCEPT;
+
+#pragma GCC visibility pop
 
 #ifdef __cplusplus
 }
