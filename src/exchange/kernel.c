@@ -16,26 +16,20 @@ static inline float phi_thin(float x)
     return 1 - x * (1 / 2.f - x * (1 / 6.f - x * (1 / 24.f - x * (1 / 120.f - x / 720.f))));
 }
 
-/* exp(-x) for x >= 0, relative error below 2e-7: 2^n by the exponent bits times the series of
-   exp(r) on |r| <= ln 2 / 2. */
-static inline float exp_minus(float x)
+/* The same for any x >= 0, without a branch. With -x = n ln 2 + r, |r| <= ln 2 / 2, the series of
+   exp(r) - 1 gives 1 - exp(-x) = 1 - 2^n - 2^n (exp(r) - 1) to 2e-7 of itself, however small x is;
+   the tiny addend makes phi(0) = 1. */
+static inline float phi_thick(float x)
 {
-    float y = (x < 80 ? x : 80) * -1.44269504f;
-    float n = (float)(int32_t)(y - 0.5f);
-    float r = (y - n) * 0.693147181f;
-    float p =
-        1 + r * (1 + r * (1 / 2.f + r * (1 / 6.f + r * (1 / 24.f + r * (1 / 120.f + r / 720.f)))));
+    float y = x < 80 ? x : 80;
+    float n = (float)(int32_t)(y * -1.44269504f - 0.5f);
+    float r = -y - n * 0.693147181f;
+    float p = r + r * r * (1 / 2.f + r * (1 / 6.f + r * (1 / 24.f + r * (1 / 120.f + r / 720.f))));
     int32_t bits = ((int32_t)n + 127) << 23;
     float scale;
     memcpy(&scale, &bits, sizeof scale);
-    return p * scale;
-}
-
-static inline float phi_thick(float x)
-{
-    float series = phi_thin(x < MURK_THIN ? x : MURK_THIN);
-    float closed = (1 - exp_minus(x)) / (x > MURK_THIN ? x : MURK_THIN);
-    return x < MURK_THIN ? series : closed;
+    const float tiny = 1e-30f;
+    return (1 - scale - scale * p + tiny) / (x + tiny);
 }
 
 static inline void load(float *line, const float *plane, ptrdiff_t stride)

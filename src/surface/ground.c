@@ -46,6 +46,31 @@ static int margin_count(const murk_ground_options *o)
     return (int)ceil(log(1 + REACH * extent / patch * (GROWTH - 1)) / log(GROWTH));
 }
 
+/* Smallest distance whose leading bits have the number k in margin_start. */
+static double lookup_distance(int k)
+{
+    return ldexp(1 + (k & 3) / 4.0, k >> 2) - 1;
+}
+
+static bool fill_margin(murk_ground *ground)
+{
+    int margin = ground->margin, cells = 1;
+    ground->margin_edge = murk_alloc((size_t)margin + 1, sizeof(double));
+    if (!ground->margin_edge)
+        return false;
+    for (int i = 1; i <= margin; i++)
+        ground->margin_edge[i] = (pow(GROWTH, i) - 1) / (GROWTH - 1) * GROWTH;
+    while (lookup_distance(cells) <= ground->margin_edge[margin])
+        cells++;
+    ground->margin_start = murk_alloc((size_t)cells + 1, sizeof *ground->margin_start);
+    for (int k = 0, i = 0; ground->margin_start && k <= cells; k++) {
+        while (i + 1 < margin && ground->margin_edge[i + 1] <= lookup_distance(k))
+            i++;
+        ground->margin_start[k] = (uint16_t)i;
+    }
+    return ground->margin_start;
+}
+
 static void fill_edges(murk_ground *ground, const murk_ground_options *o)
 {
     for (int c = 0; c < 2; c++) {
@@ -56,9 +81,8 @@ static void fill_edges(murk_ground *ground, const murk_ground_options *o)
         for (int i = 0; i <= n; i++)
             edge[margin + i] = low + (high - low) * i / n;
         for (int i = 1; i <= margin; i++) {
-            double out = step * (pow(GROWTH, i) - 1) / (GROWTH - 1) * GROWTH;
-            edge[margin - i] = low - out;
-            edge[margin + n + i] = high + out;
+            edge[margin - i] = low - step * ground->margin_edge[i];
+            edge[margin + n + i] = high + step * ground->margin_edge[i];
         }
     }
 }
@@ -118,7 +142,8 @@ murk_status murk_ground_create(murk_context *context, const murk_ground_options 
     ground->patch_count = (size_t)ground->count[0] * (size_t)ground->count[1];
     ground->reflectance = murk_alloc(ground->patch_count, sizeof(float));
     ground->emission = murk_alloc(ground->patch_count, sizeof(float));
-    if (!ground->edge[0] || !ground->edge[1] || !ground->reflectance || !ground->emission) {
+    if (!ground->edge[0] || !ground->edge[1] || !ground->reflectance || !ground->emission ||
+        !fill_margin(ground)) {
         murk_ground_release(ground);
         return murk_fail(context, MURK_ERROR_MEMORY, "ground: out of memory for its patches");
     }
@@ -142,40 +167,11 @@ void murk_ground_release(murk_ground *ground)
         return;
     murk_free(ground->edge[0]);
     murk_free(ground->edge[1]);
+    murk_free(ground->margin_edge);
+    murk_free(ground->margin_start);
     murk_free(ground->reflectance);
     murk_free(ground->emission);
     murk_free(ground);
-}
-
-/* Column of x among the edges of one axis, or -1 outside. */
-static int find_column(const murk_ground *ground, int c, double x)
-{
-    const double *edge = ground->edge[c];
-    int n = ground->interior[c], margin = ground->margin, count = ground->count[c];
-    double low = edge[margin], high = edge[margin + n];
-    if (x >= low && x < high) {
-        int i = (int)((x - low) * ground->per_metre[c]);
-        return margin + (i < n ? i : n - 1);
-    }
-    if (!(x >= edge[0] && x < edge[count]))
-        return -1;
-    int first = x < low ? 0 : margin + n, last = x < low ? margin : count;
-    while (last - first > 1) {
-        int middle = (first + last) / 2;
-        if (x < edge[middle])
-            last = middle;
-        else
-            first = middle;
-    }
-    return first;
-}
-
-int64_t murk_ground_patch(const murk_ground *ground, double a, double b)
-{
-    int ia = find_column(ground, 0, a), ib = find_column(ground, 1, b);
-    if (ia < 0 || ib < 0)
-        return ground->horizon ? MURK_GROUND_HORIZON : MURK_GROUND_NOTHING;
-    return (int64_t)ib * ground->count[0] + ia;
 }
 
 double murk_ground_area(const murk_ground *ground, size_t patch)

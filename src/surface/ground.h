@@ -5,6 +5,8 @@
 
 #include "context.h"
 
+#include <string.h>
+
 /*
  * Horizontal coordinates (a, b): (x, y) for up = z, (x, z) for up = y. Patch (ia, ib) is
  * [a[ia], a[ia+1]] x [b[ib], b[ib+1]], number ib * count[0] + ia. The user's patches are the
@@ -21,6 +23,8 @@ struct murk_ground {
     int count[2];        /* interior + 2 * margin */
     double *edge[2];     /* count + 1 coordinates [m] */
     double per_metre[2]; /* interior patches per metre */
+    double *margin_edge; /* margin + 1 outer edges of the margin's patches, in interior patches */
+    uint16_t *margin_start; /* by the leading bits of a distance: see murk_ground_column() */
     size_t patch_count;
     float *reflectance; /* rho per patch */
     float *emission;    /* E of the patch itself [W/m^2], not scaled by emissivity */
@@ -29,8 +33,35 @@ struct murk_ground {
 
 enum { MURK_GROUND_HORIZON = -1, MURK_GROUND_NOTHING = -2 };
 
+/* Column of the patch at coordinate x on axis c (0: a, 1: b), or -1 outside. In the margin the
+   exponent and two bits of 1 + the distance find the patch, or the one before it: widths grow
+   faster than these steps. */
+static inline int murk_ground_column(const murk_ground *ground, int c, double x)
+{
+    int n = ground->interior[c], margin = ground->margin;
+    double t = (x - ground->edge[c][margin]) * ground->per_metre[c];
+    if (t >= 0 && t < n)
+        return margin + (int)t;
+    double d = t < 0 ? -t : t - n;
+    if (!margin || !(d < ground->margin_edge[margin]))
+        return -1;
+    float distance = (float)(d + 1);
+    uint32_t bits;
+    memcpy(&bits, &distance, sizeof bits);
+    int i = ground->margin_start[(bits >> 21) - (127u << 2)];
+    i += i + 1 < margin && d >= ground->margin_edge[i + 1];
+    return t < 0 ? margin - 1 - i : margin + n + i;
+}
+
 /* Patch number at (a, b); outside: MURK_GROUND_HORIZON or, without horizon, MURK_GROUND_NOTHING. */
-int64_t murk_ground_patch(const murk_ground *ground, double a, double b);
+static inline int64_t murk_ground_patch(const murk_ground *ground, double a, double b)
+{
+    int ia = murk_ground_column(ground, 0, a), ib = murk_ground_column(ground, 1, b);
+    if (ia < 0 || ib < 0)
+        return ground->horizon ? MURK_GROUND_HORIZON : MURK_GROUND_NOTHING;
+    return (int64_t)ib * ground->count[0] + ia;
+}
+
 double murk_ground_area(const murk_ground *ground, size_t patch);
 /* Number of the patch at column ia, row ib of the user's interior. */
 size_t murk_ground_interior(const murk_ground *ground, int ia, int ib);
