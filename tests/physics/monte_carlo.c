@@ -241,8 +241,7 @@ static void shine_on_box(struct run *run, bool sun, long packets)
     }
     double power = (area[0] + area[1] + area[2]) * (sun ? s->irradiance : M_PI * s->sky_radiance);
     for (long n = 0; n < packets; n++) {
-        struct packet p = {.w = power / (double)packets,
-                           .origin = sun ? FROM_SUN : FROM_OUTSIDE};
+        struct packet p = {.w = power / (double)packets, .origin = sun ? FROM_SUN : FROM_OUTSIDE};
         for (int a = 0; a < 3; a++)
             side[a] = sun ? s->sun[a] : draw(run) - 0.5;
         int axis = place_on_box(run, area, side, p.at);
@@ -269,8 +268,8 @@ static void shine_on_ground(struct run *run, bool sun, long packets)
         place_on_patch(run, patch, p.at);
         if (!sun)
             draw_lambertian(run, 2, 1, back);
-        p.w = irradiance * run->patch_area * count / (double)packets *
-              transmittance(run, p.at, back);
+        p.w =
+            irradiance * run->patch_area * count / (double)packets * transmittance(run, p.at, back);
         run->tally->patch[patch] += p.w;
         if (draw(run) >= s->ground_reflectance[patch])
             continue;
@@ -298,8 +297,7 @@ static int pick(struct run *run, const double *sums, int count)
 static void emit(struct run *run, bool zones, long packets)
 {
     const mc_scene *s = run->scene;
-    int count =
-        zones ? s->size[0] * s->size[1] * s->size[2] : s->patches[0] * s->patches[1];
+    int count = zones ? s->size[0] * s->size[1] * s->size[2] : s->patches[0] * s->patches[1];
     double *sums = malloc((size_t)count * sizeof *sums), sum = 0;
     for (int i = 0; sums && i < count; i++) {
         sum += zones ? 4.0 * s->kappa_t[i] * (1 - s->albedo[i]) * s->emission[i] * run->cell_volume

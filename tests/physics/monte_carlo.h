@@ -29,9 +29,9 @@ typedef struct mc_scene {
 
 /* Powers [W]. */
 typedef struct mc_tally {
-    double *zone;  /* extinguished in each zone: kappa_t V G */
-    double *patch; /* incident on each patch: A H, sun included */
-    double sun;    /* extinguished sunlight */
+    double *zone;   /* extinguished in each zone: kappa_t V G */
+    double *patch;  /* incident on each patch: A H, sun included */
+    double sun;     /* extinguished sunlight */
     double diffuse; /* extinguished light of sky and ground */
     double escaped; /* light of the zones that leaves the medium */
 } mc_tally;
