@@ -106,7 +106,7 @@ murk_status murk_scene_default(murk_context *context, const murk_medium *medium,
         return murk_fail(context, MURK_ERROR_MEMORY, "out of memory");
     for (int row = 0; row < ny; row++)
         for (int i = 0; i < nx; i++)
-            reflectance[row * nx + i] = (row / SQUARE + i / SQUARE) % 2 ? 0.6f : 0.3f;
+            reflectance[row * nx + i] = (row / SQUARE + i / SQUARE) % 2 ? 0.4f : 0.1f;
     options.reflectance_image = reflectance;
     status = murk_ground_create(context, &options, ground);
     murk_free(reflectance);

@@ -117,21 +117,21 @@ static void balance(void **state)
             albedo[i] = (float)(1 - 0.3 * x * x);
             emission[i] = n & 2 ? (float)(x > 0.99) : 0;
         }
-        const murk_array array = {.size = {16, 16, 16},
+        const murk_array array = {.size = {12, 13, 11},
                                   .voxel_size = {0.1, 0.1, 0.1},
                                   .kappa_t = kappa_t,
                                   .albedo = albedo,
                                   .emission = emission};
         murk_ground_options ground = MURK_GROUND_DEFAULT;
-        ground.extent_max[0] = ground.extent_max[1] = 1.6;
-        ground.patches[0] = ground.patches[1] = 16;
+        ground.extent_max[0] = ground.extent_max[1] = 1.2;
+        ground.patches[0] = ground.patches[1] = 12;
         ground.height = -0.05 * (n % 3);
         struct world w;
         world_open(&w, 2, &array, n & 1 ? &ground : NULL);
         w.scene.sun = (murk_sun){{0.5, 0.1, -1}, n & 2 ? 0 : 4};
         w.scene.sky_radiance = n % 3 ? 0.2 : 0;
         murk_solve_options options = MURK_SOLVE_DEFAULT;
-        options.tolerance = n % 4 == 3 ? 0.003 : 0.03;
+        options.tolerance = n % 8 == 3 ? 0.003 : 0.03;
         world_solve(&w, &options);
         const murk_report *r = murk_solution_report(w.solution);
         double sources = r->energy_emitted + r->energy_sun + r->energy_diffuse;
