@@ -1,170 +1,351 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Pictures with closed forms: bare ground, Beer-Lambert, an emitting slab. */
-#include "check.h"
+/* Pictures with a closed form: [BG91] eq. (11) where B is constant, linear or 0. Pixels are float:
+   1e-6 of the largest value is 8 units in the last place. */
+#include "camera.h"
 
-static int channel_of(const murk_image *image, const char *name)
+static const double E = 2, KAPPA = 3;
+
+/* A box of 6 x 5 x 4 cubes of 0.1 m. */
+static const double LOW[3] = {0.2, -0.1, 0.3}, HIGH[3] = {0.8, 0.4, 0.7};
+
+static murk_array box_array(double kappa_t, double albedo, double emission)
 {
-    for (int c = 0; c < murk_image_channels(image); c++)
-        if (!strcmp(murk_image_channel_name(image, c), name))
-            return c;
-    fail_msg("no channel %s", name);
-    return 0;
+    return (murk_array){.size = {6, 5, 4},
+                        .voxel_size = {0.1, 0.1, 0.1},
+                        .origin = {LOW[0], LOW[1], LOW[2]},
+                        .kappa_t_value = kappa_t,
+                        .albedo_value = albedo,
+                        .emission_value = emission};
 }
 
-static double pixel(const murk_image *image, int x, int y, const char *name)
-{
-    size_t at = (size_t)y * (size_t)murk_image_width(image) + (size_t)x;
-    return murk_image_pixels_const(
-        image)[at * (size_t)murk_image_channels(image) + (size_t)channel_of(image, name)];
-}
+/* Along x, askew, and from inside the medium. */
+static const murk_camera CAMERAS[] = {
+    {{-1, 0.13, 0.48}, {1, 0.13, 0.48}, {0, 0, 1}, 40, {33, 25}},
+    {{1.6, -1.3, 1.4}, {0.5, 0.1, 0.5}, {0.1, 0.2, 1}, 45, {31, 22}},
+    {{0.41, 0.07, 0.52}, {0.1, 0.3, 0.45}, {0, 1, 0}, 100, {21, 24}},
+};
 
-static murk_image *render(struct world *w, const murk_camera *camera, int samples)
-{
-    const murk_render_options options = {.samples = samples};
-    murk_image *image = NULL;
-    if (murk_render(w->context, &w->scene, w->solution, camera, &options, &image))
-        fail_msg("%s", murk_context_message(w->context));
-    assert_int_equal(murk_image_width(image), camera->size[0]);
-    assert_int_equal(murk_image_height(image), camera->size[1]);
-    return image;
-}
+enum { CAMERA_COUNT = sizeof CAMERAS / sizeof *CAMERAS };
 
-/* No medium: the picture is the ground, with the radiance (E + rho (F cos + pi L)) / pi of each
-   patch, and the sky. */
-static void bare_ground(void **state)
+static const murk_render_options ONE_SAMPLE = {.samples = 1};
+
+/* ---- Medium ---- */
+
+static void transmittance(void **state)
 {
     (void)state;
-    static const float nothing[8];
-    const murk_array array = {
-        .size = {2, 2, 2}, .voxel_size = {0.5, 0.5, 0.5}, .kappa_t = nothing, .albedo_value = 0.9};
-    static const float reflectance[4] = {0.1f, 0.3f, 0.5f, 0.9f}, emission[4] = {0, 1, 2, 3};
-    const double flux = 5, sky = 0.7, cosine = 0.8;
-    for (int up_y = 0; up_y < 2; up_y++)
-        for (int horizon = 0; horizon < 2; horizon++) {
-            murk_ground_options ground = MURK_GROUND_DEFAULT;
-            ground.up = up_y ? MURK_UP_Y : MURK_UP_Z;
-            ground.patches[0] = ground.patches[1] = 2;
-            ground.reflectance_image = reflectance;
-            ground.emission_image = emission;
-            ground.horizon = horizon;
-            struct world w;
-            world_open(&w, 2, &array, &ground);
-            w.scene.sun = (murk_sun){{0.6, up_y ? -cosine : 0, up_y ? 0 : -cosine}, flux};
-            w.scene.sky_radiance = sky;
-            world_solve(&w, NULL);
-            assert_int_equal(murk_solution_report(w.solution)->zones, 0);
-            /* From above, x to the right and image order from the top. */
-            murk_camera camera = {.eye = {0.5, up_y ? 3 : 0.5, up_y ? 0.5 : 3},
-                                  .target = {0.5, up_y ? 0 : 0.5, up_y ? 0.5 : 0},
-                                  .up = {0, up_y ? 0 : 1, up_y ? -1 : 0},
-                                  .fov = 2 * 180 / M_PI * atan(0.5 / 3),
-                                  .size = {2, 2}};
-            murk_image *image = render(&w, &camera, 3);
-            for (int i = 0; i < 4; i++) {
-                double lit = flux * cosine + M_PI * sky;
-                double wanted = (emission[i] + reflectance[i] * lit) / M_PI;
-                assert_within(pixel(image, i % 2, i / 2, "R"), wanted, 1e-6 * wanted);
-                assert_within(pixel(image, i % 2, i / 2, "surface.G"), wanted, 1e-6 * wanted);
-                assert_within(pixel(image, i % 2, i / 2, "path.B"), 0, 0);
-                assert_within(pixel(image, i % 2, i / 2, "A"), 0, 0);
-                assert_within(pixel(image, i % 2, i / 2, "transmittance.Y"), 1, 0);
-                assert_true(isinf(pixel(image, i % 2, i / 2, "Z")));
-            }
-            murk_image_release(image);
-            /* Far beside the extent: the mean over the patches, or, without horizon, the sky. */
-            camera.eye[0] = camera.target[0] = 1000;
-            image = render(&w, &camera, 1);
-            double wanted = horizon ? (1.5 + 0.45 * (flux * cosine + M_PI * sky)) / M_PI : sky;
-            assert_within(pixel(image, 0, 0, "R"), wanted, 1e-6 * wanted);
-            murk_image_release(image);
-            world_close(&w);
-        }
-}
-
-/* Unit vectors to the middles of pixels of a camera that looks down, its up along y. */
-static void down_ray(const murk_camera *camera, int x, int y, double out[3])
-{
-    double half = tan(camera->fov * M_PI / 360);
-    out[0] = half * ((2 * x + 1.0) / camera->size[0] - 1) * camera->size[0] / camera->size[1];
-    out[1] = half * (1 - (2 * y + 1.0) / camera->size[1]);
-    out[2] = -1;
-    double length = sqrt(out[0] * out[0] + out[1] * out[1] + 1);
-    for (int a = 0; a < 3; a++)
-        out[a] /= length;
-}
-
-/* Layers of different kappa_t with no scattering and one emission: transmittance exp(-tau),
-   radiance of the medium (1 - exp(-tau)) E / pi, half of tau at a distance that follows from the
-   layers. */
-static void layers(void **state)
-{
-    (void)state;
-    enum { N = 20 };
-    static float kappa_t[N * N * N];
-    const double dz = 0.05, emission = 2, sky = 0.25;
-    for (int i = 0; i < N * N * N; i++)
-        kappa_t[i] = (float)(0.3 * (1 + i % N % 5)); /* by z: five values, four times */
-    const murk_array array = {.size = {N, N, N},
-                              .voxel_size = {0.1, 0.1, dz},
-                              .origin = {-1, -1, 0},
-                              .kappa_t = kappa_t,
-                              .emission_value = emission};
+    const murk_array array = box_array(KAPPA, 0.5, 0);
     struct world w;
-    world_open(&w, 2, &array, NULL);
-    w.scene.sky_radiance = sky;
+    world_open(&w, 1, &array, NULL);
+    w.scene.sky_radiance = 0.2;
     world_solve(&w, NULL);
-    const murk_camera camera = {
-        .eye = {0, 0, 4}, .target = {0, 0, 0}, .up = {0, 1, 0}, .fov = 20, .size = {7, 5}};
-    murk_image *image = render(&w, &camera, 1);
-    for (int y = 0; y < 5; y++)
-        for (int x = 0; x < 7; x++) {
-            double ray[3], vertical = 4 * dz * 0.3 * (1 + 2 + 3 + 4 + 5);
-            down_ray(&camera, x, y, ray);
-            double tau = vertical / -ray[2], opacity = -expm1(-tau);
-            assert_within(pixel(image, x, y, "transmittance.Y"), exp(-tau), 1e-6);
-            assert_within(pixel(image, x, y, "A"), opacity, 1e-6);
-            assert_within(pixel(image, x, y, "surface.R"), exp(-tau) * sky, 1e-6);
-            assert_within(pixel(image, x, y, "R"),
-                          pixel(image, x, y, "path.R") + pixel(image, x, y, "surface.R"), 1e-6);
-            /* Half of the vertical depth is passed in the middle of the four equal stacks. */
-            assert_within(pixel(image, x, y, "Z"), (4 - 0.5) / -ray[2], 1e-5);
-            assert_within(pixel(image, x, y, "path.R"), opacity * emission / M_PI, 1e-6);
+    for (int c = 0; c < CAMERA_COUNT; c++) {
+        murk_image *image = take(&w, &CAMERAS[c], &ONE_SAMPLE);
+        for (int j = 0; j < CAMERAS[c].size[1]; j++)
+            for (int i = 0; i < CAMERAS[c].size[0]; i++) {
+                double along[3];
+                look_through(&CAMERAS[c], i, j, along);
+                double t = exp(-KAPPA * chord(LOW, HIGH, CAMERAS[c].eye, along));
+                float got = pixel(image, "transmittance.Y", i, j);
+                assert_within(got, t, 1e-6);
+                assert_true(pixel(image, "A", i, j) == 1 - got);
+                assert_true(pixel(image, "R", i, j) ==
+                            pixel(image, "path.R", i, j) + pixel(image, "surface.R", i, j));
+                assert_within(pixel(image, "surface.R", i, j), 0.2 * t, 1e-6);
+                /* One band in all three. */
+                assert_true(pixel(image, "R", i, j) == pixel(image, "B", i, j));
+            }
+        murk_image_release(image);
+    }
+    world_close(&w);
+}
+
+/* Without scattering B = E everywhere, so a path of the transmittance T sends (1 - T) E/pi. */
+static void emission(void **state)
+{
+    (void)state;
+    const murk_array array = box_array(KAPPA, 0, E);
+    struct world w;
+    world_open(&w, 1, &array, NULL);
+    world_solve(&w, NULL);
+    for (int c = 0; c < CAMERA_COUNT; c++) {
+        murk_image *image = take(&w, &CAMERAS[c], &ONE_SAMPLE);
+        for (int j = 0; j < CAMERAS[c].size[1]; j++)
+            for (int i = 0; i < CAMERAS[c].size[0]; i++) {
+                double along[3];
+                look_through(&CAMERAS[c], i, j, along);
+                double s = chord(LOW, HIGH, CAMERAS[c].eye, along);
+                assert_within(pixel(image, "path.R", i, j), -expm1(-KAPPA * s) * E / M_PI, 1e-6);
+            }
+        murk_image_release(image);
+    }
+    world_close(&w);
+}
+
+/*
+ * B = E is linear in the position and kappa constant in an inner box; a shell of two zones around
+ * it is so thin that it only continues B. A path that enters the inner box at the distance t with
+ * B = b0, and B' along it, over the length s, sends
+ *   (1/pi) (b0 (1 - e^{-kappa s}) + B' ((1 - e^{-kappa s}) / kappa - s e^{-kappa s})),
+ * trilinear interpolation is exact for it, and so is each step.
+ */
+static void linear_source(void **state)
+{
+    (void)state;
+    enum { NX = 13, NY = 11, NZ = 10 };
+    static float kappa_t[NX * NY * NZ], glow[NX * NY * NZ];
+    const double slope[3] = {0.8, -0.5, 0.6}, voxel[3] = {0.1, 0.1, 0.05};
+    const double low[3] = {0.2, 0.2, 0.1}, high[3] = {1.1, 0.9, 0.4};
+    murk_array array = {.size = {NX, NY, NZ},
+                        .voxel_size = {voxel[0], voxel[1], voxel[2]},
+                        .kappa_t = kappa_t,
+                        .emission = glow};
+    for (int i = 0; i < NX; i++)
+        for (int j = 0; j < NY; j++)
+            for (int k = 0; k < NZ; k++) {
+                const double at[3] = {(i + 0.5) * voxel[0], (j + 0.5) * voxel[1],
+                                      (k + 0.5) * voxel[2]};
+                bool inner = i >= 2 && i < NX - 2 && j >= 2 && j < NY - 2 && k >= 2 && k < NZ - 2;
+                kappa_t[check_at(&array, i, j, k)] = inner ? 4.0f : 1e-10f;
+                glow[check_at(&array, i, j, k)] = (float)(1 + dot_product(slope, at));
+            }
+    struct world w;
+    world_open(&w, 1, &array, NULL);
+    world_solve(&w, NULL);
+    const murk_camera camera = {{2.1, -1.2, 1.3}, {0.6, 0.5, 0.25}, {0, 0, 1}, 32, {40, 30}};
+    murk_image *image = take(&w, &camera, &ONE_SAMPLE);
+    for (int j = 0; j < 30; j++)
+        for (int i = 0; i < 40; i++) {
+            double along[3], entry[3], from, to, wanted = 0;
+            look_through(&camera, i, j, along);
+            meet_box(low, high, camera.eye, along, &from, &to);
+            if (to > from) {
+                double s = to - from, taken = -expm1(-4 * s);
+                for (int c = 0; c < 3; c++)
+                    entry[c] = camera.eye[c] + from * along[c];
+                wanted = (1 + dot_product(slope, entry)) * taken +
+                         dot_product(slope, along) * (taken / 4 - s * exp(-4 * s));
+            }
+            assert_within(pixel(image, "path.R", i, j), wanted / M_PI, 1e-6);
         }
     murk_image_release(image);
     world_close(&w);
 }
 
-/* Pixel values are means over the pixel: with n x n samples the middles of n x n parts. */
-static void pixel_means(void **state)
+/* In an enclosure of one temperature everything looks alike. */
+static void enclosure(void **state)
 {
     (void)state;
-    static const float nothing[1];
-    const murk_array array = {.size = {1, 1, 1}, .voxel_size = {1, 1, 1}, .kappa_t = nothing};
-    static const float emission[4] = {1, 0, 0, 0}; /* top left as an image */
+    static const double albedos[] = {1, 0.6, 0};
+    const float rho[6] = {0.1f, 0.9f, 0.4f, 0.6f, 0, 1};
+    float glow[6];
     murk_ground_options ground = MURK_GROUND_DEFAULT;
-    ground.patches[0] = ground.patches[1] = 2;
-    ground.emission_image = emission;
-    ground.horizon = false;
+    ground.patches[0] = 3;
+    ground.patches[1] = 2;
+    ground.reflectance_image = rho;
+    ground.emission_image = glow;
+    for (int i = 0; i < 6; i++)
+        glow[i] = (float)(E * (1 - rho[i]));
+    for (size_t n = 0; n < sizeof albedos / sizeof *albedos; n++) {
+        const murk_array array = box_array(KAPPA, albedos[n], E);
+        struct world w;
+        world_open(&w, 1, &array, &ground);
+        w.scene.sky_radiance = E / M_PI;
+        murk_solve_options options = MURK_SOLVE_DEFAULT;
+        options.tolerance = 1e-4;
+        world_solve(&w, &options);
+        for (int c = 0; c < CAMERA_COUNT; c++) {
+            murk_image *image = take(&w, &CAMERAS[c], NULL);
+            for (int j = 0; j < CAMERAS[c].size[1]; j++)
+                for (int i = 0; i < CAMERAS[c].size[0]; i++)
+                    assert_within(pixel(image, "R", i, j), E / M_PI, 1e-5);
+            murk_image_release(image);
+        }
+        world_close(&w);
+    }
+}
+
+/* ---- Depth ---- */
+
+static void half_depth(void **state)
+{
+    (void)state;
+    static float kappa_t[120];
+    murk_array array = box_array(KAPPA, 0.5, 0);
+    murk_camera camera = {{-1.5, 0.13, 0.48}, {1, 0.13, 0.48}, {0, 0, 1}, 40, {1, 1}};
+    /* 1.7 m to the box, 0.6 m within it; kappa = 1, then 3: 0.3 + 0.9 optical depths, of which 0.6
+       are passed 0.3 / 3 behind the middle. */
+    for (int varied = 0; varied < 2; varied++) {
+        for (size_t i = 0; i < check_count(&array); i++)
+            kappa_t[i] = i < 60 ? 1 : 3;
+        array.kappa_t = varied ? kappa_t : NULL;
+        struct world w;
+        world_open(&w, 1, &array, NULL);
+        world_solve(&w, NULL);
+        murk_image *image = take(&w, &camera, &ONE_SAMPLE);
+        assert_within(pixel(image, "Z", 0, 0), varied ? 1.7 + 0.3 + 0.1 : 1.7 + 0.3, 2e-6);
+        murk_image_release(image);
+        murk_camera away = camera;
+        away.target[0] = -2;
+        image = take(&w, &away, NULL);
+        assert_true(isinf(pixel(image, "Z", 0, 0)) && pixel(image, "Z", 0, 0) > 0);
+        assert_true(pixel(image, "A", 0, 0) == 0);
+        murk_image_release(image);
+        world_close(&w);
+    }
+}
+
+/* ---- Pictures over other pictures ---- */
+
+static void background(void **state)
+{
+    (void)state;
+    const murk_array array = box_array(KAPPA, 0.8, E);
+    struct world w;
+    world_open(&w, 1, &array, NULL);
+    w.scene.sky_radiance = 0.2;
+    w.scene.sun = (murk_sun){{0.5, 0.2, -0.7}, 1};
+    world_solve(&w, NULL);
+    const char *const names[3] = {"R", "G", "B"};
+    const float colour[3] = {0.7f, 0.4f, 0.1f};
+    murk_image *plate = NULL;
+    assert_int_equal(murk_image_create(w.context, 5, 4, 3, names, &plate), MURK_OK);
+    for (int i = 0; i < 5 * 4 * 3; i++)
+        murk_image_pixels(plate)[i] = colour[i % 3];
+    const murk_camera *camera = &CAMERAS[1];
+    murk_image *full = take(&w, camera, NULL);
+    murk_image *bare = take(&w, camera, &(murk_render_options){.no_background = true});
+    murk_image *over = take(&w, camera, &(murk_render_options){.background = plate});
+    for (int j = 0; j < camera->size[1]; j++)
+        for (int i = 0; i < camera->size[0]; i++) {
+            float t = pixel(bare, "transmittance.Y", i, j);
+            assert_true(pixel(bare, "A", i, j) == pixel(full, "A", i, j));
+            assert_true(pixel(bare, "path.R", i, j) == pixel(full, "path.R", i, j));
+            assert_true(pixel(bare, "surface.R", i, j) == 0);
+            assert_true(pixel(bare, "R", i, j) == pixel(bare, "path.R", i, j));
+            for (int c = 0; c < 3; c++)
+                assert_within(pixel(over, names[c], i, j),
+                              pixel(bare, names[c], i, j) + t * colour[c], 1e-6);
+        }
+    murk_image_release(full);
+    murk_image_release(bare);
+    murk_image_release(over);
+    murk_image_release(plate);
+    world_close(&w);
+}
+
+/*
+ * A slab of optical thickness tau that fills the frame has the transmittance
+ * f = e^{-tau s}, s = (1 + u^2 + v^2)^(1/2), at the picture point (u, v). |f_uu| and |f_vv| are at
+ * most e^{-tau} (tau^2 w^2 + tau) for |u|, |v| <= w. The midpoint rule on squares of the edge h
+ * misses the mean by at most h^2 / 24 of their sum; n samples an axis make that h/n.
+ */
+static void samples(void **state)
+{
+    (void)state;
+    const murk_array array = {.size = {16, 16, 2},
+                              .voxel_size = {0.5, 0.5, 0.25},
+                              .origin = {-4, -4, 0},
+                              .kappa_t_value = 2,
+                              .albedo_value = 0.5};
+    struct world w;
+    world_open(&w, 1, &array, NULL);
+    world_solve(&w, NULL);
+    const double tau = 1, half = 1, h = 2 * half / 8;
+    const murk_camera camera = {{0.03, 0.01, 2}, {0.03, 0.01, 0}, {0, 1, 0}, 90, {8, 8}};
+    murk_image *coarse = take(&w, &camera, &ONE_SAMPLE);
+    murk_image *fine = take(&w, &camera, &(murk_render_options){.samples = 4});
+    murk_image *two = take(&w, &camera, &(murk_render_options){.samples = 2});
+    murk_image *usual = take(&w, &camera, NULL);
+    double bound = h * h / 24 * (1 + 1 / 16.) * 2 * exp(-tau) * (tau * tau * half * half + tau);
+    double difference = mean_pixel(coarse, "transmittance.Y") - mean_pixel(fine, "transmittance.Y");
+    assert_within(difference, 0, bound);
+    assert_true(difference != 0);
+    assert_memory_equal(murk_image_pixels(two), murk_image_pixels(usual),
+                        64 * (size_t)murk_image_channels(two) * sizeof(float));
+    murk_image_release(coarse);
+    murk_image_release(fine);
+    murk_image_release(two);
+    murk_image_release(usual);
+    world_close(&w);
+}
+
+/* From the scene to the picture, bit for bit. */
+static void threads(void **state)
+{
+    (void)state;
+    const murk_array array = box_array(KAPPA, 0.9, 0.1);
+    const murk_ground_options ground = MURK_GROUND_DEFAULT;
+    murk_image *image[2];
+    for (int n = 0; n < 2; n++) {
+        struct world w;
+        world_open(&w, n + 1, &array, &ground);
+        w.scene.sun = (murk_sun){{0.5, 0.2, -0.7}, 1};
+        w.scene.sky_radiance = 0.1;
+        world_solve(&w, NULL);
+        image[n] = take(&w, &CAMERAS[1], NULL);
+        world_close(&w);
+    }
+    size_t values = 31 * 22 * (size_t)murk_image_channels(image[0]);
+    assert_memory_equal(murk_image_pixels(image[0]), murk_image_pixels(image[1]),
+                        values * sizeof(float));
+    murk_image_release(image[0]);
+    murk_image_release(image[1]);
+}
+
+/* ---- Errors ---- */
+
+static void refuse(struct world *w, const murk_camera *camera)
+{
+    murk_image *mark = (murk_image *)w, *image = mark;
+    assert_int_equal(murk_render(w->context, &w->scene, w->solution, camera, NULL, &image),
+                     MURK_ERROR_INPUT);
+    assert_ptr_equal(image, mark);
+    assert_true(strlen(murk_context_message(w->context)) > 0);
+    assert_null(strchr(murk_context_message(w->context), '\n'));
+    assert_int_equal(murk_camera_check(w->context, &w->scene, camera), MURK_ERROR_INPUT);
+    assert_true(strlen(murk_context_message(w->context)) > 0);
+}
+
+static void errors(void **state)
+{
+    (void)state;
+    const murk_array array = box_array(KAPPA, 0.5, 0);
+    const murk_ground_options ground = MURK_GROUND_DEFAULT;
     struct world w;
     world_open(&w, 1, &array, &ground);
     world_solve(&w, NULL);
-    const murk_camera camera = {.eye = {0.5, 0.5, 1},
-                                .target = {0.5, 0.5, 0},
-                                .up = {0, 1, 0},
-                                .fov = 2 * 180 / M_PI * atan(0.5),
-                                .size = {1, 1}};
-    murk_image *image = render(&w, &camera, 4);
-    assert_within(pixel(image, 0, 0, "R"), 0.25 / M_PI, 1e-7);
-    murk_image_release(image);
+    const double bad_fov[] = {0, -40, 180, 400, NAN};
+    for (int n = 0; n < 5; n++) {
+        murk_camera camera = CAMERAS[0];
+        camera.fov = bad_fov[n];
+        refuse(&w, &camera);
+    }
+    murk_camera bad[7];
+    for (int n = 0; n < 7; n++)
+        bad[n] = CAMERAS[0];
+    bad[0].size[0] = 0;
+    bad[1].size[1] = -3;
+    memcpy(bad[2].target, bad[2].eye, sizeof bad[2].eye);
+    bad[3].eye[2] = -0.1;
+    bad[4].eye[2] = 0; /* on the ground itself */
+    bad[5].up[0] = 1;  /* along the line of sight */
+    bad[5].up[2] = 0;
+    bad[6].target[1] = INFINITY;
+    for (int n = 0; n < 7; n++)
+        refuse(&w, &bad[n]);
+    assert_int_equal(murk_camera_check(w.context, &w.scene, &CAMERAS[0]), MURK_OK);
     world_close(&w);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bare_ground),
-        cmocka_unit_test(layers),
-        cmocka_unit_test(pixel_means),
+        cmocka_unit_test(transmittance), cmocka_unit_test(emission),
+        cmocka_unit_test(linear_source), cmocka_unit_test(enclosure),
+        cmocka_unit_test(half_depth),    cmocka_unit_test(background),
+        cmocka_unit_test(samples),       cmocka_unit_test(threads),
+        cmocka_unit_test(errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
