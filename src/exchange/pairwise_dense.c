@@ -197,16 +197,31 @@ static bool correct_far(murk_pairwise *p, const geometry *g, const leaving *out)
     return true;
 }
 
-/* Sum of row k over all zones and patches with the scales d of zones, and what leaves. */
-static double row_sum(const murk_pairwise *p, size_t k, const double *d, double escape)
+/* Sum of row k over all zones and patches with the scales d of zones, c of patches, and what
+   leaves. */
+static double row_sum(const murk_pairwise *p, size_t k, const double *d, const double *c,
+                      double escape)
 {
     double sum = p->self[k] * d[k] + escape;
     const float *row = p->matrix + k * p->zones, *patch = p->other_matrix + k * p->other_count;
     for (size_t j = 0; j < p->zones; j++)
         sum += row[j] * d[j];
     for (size_t i = 0; i < p->other_count; i++)
-        sum += patch[i];
+        sum += patch[i] * c[i];
     return d[k] * sum;
+}
+
+/* A patch cannot see more zones than fill its sky: where the factors with zone scales d sum to more
+   than its area, c brings them down to it. */
+static void bound_patches(const murk_pairwise *p, const double *d, double *c)
+{
+#pragma omp parallel for num_threads(p->threads)
+    for (size_t i = 0; i < p->other_count; i++) {
+        double sum = 0, area = p->area[p->other[i]];
+        for (size_t k = 0; k < p->zones; k++)
+            sum += d[k] * p->other_matrix[k * p->other_count + i];
+        c[i] = sum > area ? area / sum : 1;
+    }
 }
 
 /*
@@ -217,20 +232,24 @@ static double row_sum(const murk_pairwise *p, size_t k, const double *d, double 
 static bool close_rows(murk_pairwise *p, double *up, double *down)
 {
     double *d = murk_alloc(p->zones, sizeof *d), *sum = murk_alloc(p->zones, sizeof *sum);
-    if (!d || !sum) {
+    double *c = murk_alloc(p->other_count, sizeof *c);
+    if (!d || !sum || !c) {
         murk_free(d);
         murk_free(sum);
+        murk_free(c);
         return false;
     }
     for (size_t k = 0; k < p->zones; k++)
         d[k] = 1;
     for (int pass = 0; pass < 16; pass++) {
+        bound_patches(p, d, c);
 #pragma omp parallel for num_threads(p->threads)
         for (size_t k = 0; k < p->zones; k++)
-            sum[k] = row_sum(p, k, d, up[k] + down[k]);
+            sum[k] = row_sum(p, k, d, c, up[k] + down[k]);
         for (size_t k = 0; k < p->zones; k++)
             d[k] *= sqrt(p->weight[k] / sum[k]);
     }
+    bound_patches(p, d, c);
 #pragma omp parallel for num_threads(p->threads)
     for (size_t k = 0; k < p->zones; k++) {
         for (size_t j = 0; j < p->zones; j++) {
@@ -239,20 +258,23 @@ static bool close_rows(murk_pairwise *p, double *up, double *down)
             p->matrix[k * p->zones + j] = (float)(scale * p->matrix[k * p->zones + j]);
         }
         for (size_t i = 0; i < p->other_count; i++)
-            p->other_matrix[k * p->other_count + i] *= (float)d[k];
+            p->other_matrix[k * p->other_count + i] *= (float)(d[k] * c[i]);
         p->self[k] *= d[k] * d[k];
         up[k] *= d[k];
         down[k] *= d[k];
     }
     for (size_t k = 0; k < p->zones; k++)
         d[k] = 1;
+    for (size_t i = 0; i < p->other_count; i++)
+        c[i] = 1;
     for (size_t k = 0; k < p->zones; k++) { /* what rounding left over goes where there is most */
-        double rest = p->weight[k] - row_sum(p, k, d, up[k] + down[k]);
+        double rest = p->weight[k] - row_sum(p, k, d, c, up[k] + down[k]);
         double *largest = up[k] > down[k] ? up + k : down + k;
         *(*largest > p->self[k] ? largest : p->self + k) += rest;
     }
     murk_free(d);
     murk_free(sum);
+    murk_free(c);
     return true;
 }
 

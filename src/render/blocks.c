@@ -22,14 +22,50 @@ static void fill_block(const murk_solution *solution, const int32_t brick[3], fl
     }
 }
 
+/* Emission (1 - albedo) E of the zones next to a voxel that is none: their mean. */
+static float emission_beside(const murk_medium *medium, const int32_t voxel[3])
+{
+    double sum = 0;
+    int count = 0;
+    for (int n = 0; n < 27; n++) {
+        int64_t slot = murk_grid_slot(medium->grid, voxel[0] + n / 9 - 1, voxel[1] + n / 3 % 3 - 1,
+                                      voxel[2] + n % 3 - 1);
+        if (slot < 0 || !(medium->kappa_t[slot] > 0))
+            continue;
+        sum += (1 - murk_value(&medium->albedo, (size_t)slot)) *
+               murk_value(&medium->emission, (size_t)slot);
+        count++;
+    }
+    return count ? (float)(sum / count) : 0;
+}
+
+/* The solution holds albedo G / 4 beyond the zones, as other programs expect it. Here emission is
+   carried on too, or a glowing medium would fade towards its rim. */
+static void add_emission(const murk_medium *medium, const int32_t brick[3], float *block)
+{
+    for (int n = 0; n < MURK_BLOCK_SLOTS; n++) {
+        const int32_t voxel[3] = {brick[0] * MURK_BRICK_EDGE + n / 100 - 1,
+                                  brick[1] * MURK_BRICK_EDGE + n / 10 % 10 - 1,
+                                  brick[2] * MURK_BRICK_EDGE + n % 10 - 1};
+        int64_t slot = murk_grid_slot(medium->grid, voxel[0], voxel[1], voxel[2]);
+        if (slot < 0 || !(medium->kappa_t[slot] > 0))
+            block[n] += emission_beside(medium, voxel);
+    }
+}
+
 float *murk_blocks_create(murk_context *context, const murk_solution *solution)
 {
     const murk_grid *grid = solution->medium->grid;
     float *blocks = murk_alloc(grid->brick_count * MURK_BLOCK_SLOTS, sizeof *blocks);
     if (!blocks)
         return NULL;
+    const murk_values *emission = &solution->medium->emission;
+    bool emits = emission->field || emission->constant > 0;
 #pragma omp parallel for num_threads(context->threads) schedule(static)
-    for (size_t b = 0; b < grid->brick_count; b++)
+    for (size_t b = 0; b < grid->brick_count; b++) {
         fill_block(solution, grid->brick[b], blocks + b * MURK_BLOCK_SLOTS);
+        if (emits)
+            add_emission(solution->medium, grid->brick[b], blocks + b * MURK_BLOCK_SLOTS);
+    }
     return blocks;
 }
