@@ -14,8 +14,8 @@ extern "C" {
 #define MURK_NOEXCEPT
 #endif
 
-/* The module is compiled with default visibility for the sake of OpenVDB's templates; these names are
-   the library's own all the same. */
+/* The module is compiled with default visibility for the sake of OpenVDB's templates; these names
+   are the library's own all the same. */
 #pragma GCC visibility push(hidden)
 
 /* The grids of one file or stream. */
