@@ -5,7 +5,7 @@
 
 /* A footprint has samples no further apart than half a patch, up to this many a side: more change
    nothing from 192 directions on (in the paper's box), one costs a third more error. */
-enum { MOST_SAMPLES = 2 };
+enum { MOST_SAMPLES = 2, BEAM_SAMPLES = 4 };
 
 /* The world displacement of one step of the line number along a grid axis, carried along the
    lines onto the ground plane. */
@@ -19,7 +19,7 @@ static void project(const murk_ground *ground, const double step[3], const doubl
 }
 
 void murk_boundary_lay(murk_boundary *boundary, const murk_grid *grid, const murk_ground *ground,
-                       const murk_lattice *lattice)
+                       const murk_lattice *lattice, bool beam)
 {
     *boundary = (murk_boundary){.ground = ground, .samples = {1, 1}, .span = lattice->span};
     if (!ground)
@@ -51,9 +51,7 @@ void murk_boundary_lay(murk_boundary *boundary, const murk_grid *grid, const mur
     const double *span[2] = {boundary->per_u, boundary->per_v};
     for (int c = 0; c < 2; c++) {
         double samples = ceil(2 * lattice->span * hypot(span[c][0], span[c][1]) / patch);
-        boundary->samples[c] = samples < 1              ? 1
-                               : samples > MOST_SAMPLES ? MOST_SAMPLES
-                                                        : (int)samples;
+        boundary->samples[c] = beam ? BEAM_SAMPLES : (int)fmin(fmax(samples, 1), MOST_SAMPLES);
     }
 }
 

@@ -26,8 +26,9 @@ typedef struct murk_boundary {
     double span; /* of a footprint in units of per_u and per_v */
 } murk_boundary;
 
+/* beam: the lines are those of one beam, whose shadows have edges that deserve more samples. */
 void murk_boundary_lay(murk_boundary *boundary, const murk_grid *grid, const murk_ground *ground,
-                       const murk_lattice *lattice);
+                       const murk_lattice *lattice, bool beam);
 
 /* Sets the states of the n x n lines from (u, v) on as they enter, rows `stride` apart, and returns
    their sum. */

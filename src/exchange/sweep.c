@@ -276,7 +276,7 @@ static bool run_block(const struct run *run, const struct block *block, struct w
     int rows = sweep->row_count[block->axis];
     for (int i = 0; i < block->count; i++) {
         murk_lattice_lay(&lattice[i], grid, &sweep->line[block->first + i]);
-        murk_boundary_lay(&boundary[i], grid, sweep->ground, &lattice[i]);
+        murk_boundary_lay(&boundary[i], grid, sweep->ground, &lattice[i], run->incoming->uniform);
         if (!murk_plane_reset(&worker->plane[i], &boundary[i], run->incoming))
             return false;
         for (int r = 0; r < rows; r++)
