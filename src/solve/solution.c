@@ -10,11 +10,45 @@
 /* Consumers interpolate at the rim of the medium: two voxels beyond it carry light too. */
 enum { MARGIN = 2 };
 
+/* The ground lies below the medium: no zone has its centre under it. */
+static murk_status check_ground(murk_context *context, const murk_scene *scene)
+{
+    const murk_grid *grid = scene->medium->grid;
+    if (!scene->ground || !grid->brick_count)
+        return MURK_OK;
+    int up = murk_ground_axis_up(scene->ground);
+    double per_voxel[3], origin = grid->corner[up], lowest = INFINITY, voxel = 0;
+    for (int a = 0; a < 3; a++) {
+        per_voxel[a] = grid->axis[a][up] * grid->voxel[a];
+        origin += per_voxel[a] * (0.5 - grid->lo[a]);
+        voxel = fmax(voxel, fabs(per_voxel[a]));
+    }
+    for (size_t b = 0; b < grid->brick_count; b++)
+        for (int slot = 0; slot < MURK_BRICK_SLOTS; slot++) {
+            if (!murk_grid_active(grid, b, slot))
+                continue;
+            const int in[3] = {slot >> 6, slot >> 3 & 7, slot & 7};
+            double height = origin;
+            for (int a = 0; a < 3; a++)
+                height += per_voxel[a] * ((double)grid->brick[b][a] * MURK_BRICK_EDGE + in[a]);
+            lowest = fmin(lowest, height);
+        }
+    if (lowest < scene->ground->height - 0.01 * voxel)
+        return murk_fail(context, MURK_ERROR_INPUT,
+                         "ground.height: %g is inside the medium, whose lowest zone is at %g; "
+                         "put the ground there or below",
+                         scene->ground->height, lowest);
+    return MURK_OK;
+}
+
 murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
                                  murk_solution **out)
 {
     if (!scene->medium)
         return murk_fail(context, MURK_ERROR_INPUT, "scene: no medium");
+    murk_status below = check_ground(context, scene);
+    if (below)
+        return below;
     if (!(scene->sky_radiance >= 0) || !isfinite(scene->sky_radiance))
         return murk_fail(context, MURK_ERROR_INPUT, "sky.radiance: %g is not a finite number >= 0",
                          scene->sky_radiance);

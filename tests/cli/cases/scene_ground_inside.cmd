@@ -1,0 +1,1 @@
+murk image fixtures/ground_inside.json -o a.exr
