@@ -114,7 +114,7 @@ static murk_status refine(murk_levels *levels, murk_solution *solution, const mu
     double goal = 0.1 * o->tolerance;
     /* A number that is asked for is reached over half of it: the difference of two fine quadratures
        tells more about the error than that to the coarse one. */
-    int last = COARSE, directions = 4 * COARSE;
+    int last = COARSE, directions = (o->tolerance < 0.03 ? 4 : 2) * COARSE;
     if (o->directions)
         directions = o->directions < 8 * COARSE ? o->directions : o->directions / 2;
     murk_status status = MURK_OK;
