@@ -225,8 +225,8 @@ MURK_API murk_status murk_medium_info_get(const murk_medium *medium, murk_medium
 typedef enum murk_up { MURK_UP_Z, MURK_UP_Y } murk_up;
 
 /**
- * The plane up = height below the medium, with nx * ny patches over extent and, where horizon is set, ever larger
- * patches around them out to the horizon with the mean reflectance and emission.
+ * The plane up = height below the medium, with nx * ny patches over extent and, where horizon is
+ * set, ever larger patches around them out to the horizon with the mean reflectance and emission.
  * Horizontal coordinates (a, b) are (x, y) for up = z and (x, z) for up = y.
  */
 typedef struct murk_ground_options {

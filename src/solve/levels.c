@@ -83,6 +83,8 @@ static murk_status correct(murk_levels *levels, double goal, double *first)
         double ratio = step && before > 0 ? change / before : 0.25;
         before = change;
         levels->iteration = change * fmin(1, ratio / fmax(1e-3, 1 - ratio));
+        if (result.iterations == levels->options->max_iterations && norm > 0)
+            levels->iteration += result.error / norm; /* cut short: the step says too little */
         murk_progress(levels->context, "solve",
                       0.5 + 0.4 * fmin(1, log(fmax(change, 1e-12)) / log(fmin(0.5, goal))));
         if (levels->iteration <= goal || (step > 2 && ratio > 0.9))
