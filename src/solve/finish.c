@@ -62,14 +62,6 @@ void murk_stage_spread(const murk_stage *stage, const murk_grid *medium, const f
                MURK_BRICK_SLOTS * sizeof *out);
 }
 
-void murk_stage_gather(const murk_stage *stage, const murk_grid *medium, const float *values,
-                       float *out)
-{
-    for (size_t b = 0; b < medium->brick_count; b++)
-        memcpy(out + b * MURK_BRICK_SLOTS, values + (size_t)stage->map[b] * MURK_BRICK_SLOTS,
-               MURK_BRICK_SLOTS * sizeof *out);
-}
-
 /* Albedo at a voxel that is no zone: the mean over the nearest zones, `mean` where none is near. */
 static float margin_albedo(const murk_medium *medium, const int32_t voxel[3], double mean)
 {

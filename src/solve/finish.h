@@ -32,10 +32,8 @@ murk_status murk_stage_create(murk_context *context, const murk_solution *soluti
                               murk_stage *out);
 void murk_stage_clear(murk_stage *stage);
 
-/* Fields between the medium's grid and the solution's. */
+/* Copies a field from the medium's grid to the solution's. */
 void murk_stage_spread(const murk_stage *stage, const murk_grid *medium, const float *values,
-                       float *out);
-void murk_stage_gather(const murk_stage *stage, const murk_grid *medium, const float *values,
                        float *out);
 
 /*
