@@ -21,13 +21,13 @@ static void set_lines(const murk_grid *grid, const murk_quadrature *quadrature, 
     double orbits = quadrature->count / MURK_ORBIT, footprint = fmin(1, sqrt(2 / orbits));
     for (int d = 0; d < quadrature->count; d++) {
         const double *direction = quadrature->direction[d], *shift = quadrature->shift[d];
-        int axis = murk_lattice_axis(grid, direction);
-        const int across[2] = {axis == 2 ? 1 : 2, axis == 0 ? 1 : 0};
+        murk_lattice lattice;
+        murk_lattice_lay(&lattice, grid,
+                         &(murk_line){.direction = {direction[0], direction[1], direction[2]}});
+        const int across[2] = {lattice.u, lattice.v};
         double start[2];
         for (int c = 0; c < 2; c++) {
-            int a = across[c];
-            double slope = direction[a] / grid->voxel[a] / (direction[axis] / grid->voxel[axis]);
-            start[c] = 0.5 + shift[a] - slope * shift[axis];
+            start[c] = 0.5 + shift[across[c]] - lattice.slope[c] * shift[lattice.axis];
             start[c] -= floor(start[c]);
         }
         for (int i = 0; i < rays * rays; i++, line++) {

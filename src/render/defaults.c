@@ -15,12 +15,7 @@ static const double LONGEST_SHADOW = 2.0;
 static void horizontal(murk_up up, int axis[2])
 {
     axis[0] = 0;
-    axis[1] = up == MURK_UP_Z ? 1 : 2;
-}
-
-static int vertical(murk_up up)
-{
-    return up == MURK_UP_Z ? 2 : 1;
+    axis[1] = murk_axis_b(up);
 }
 
 /* How far a point at height 1 throws its shadow along (a, b). */
@@ -29,7 +24,7 @@ static void shadow_slope(const murk_sun *sun, murk_up up, double out[2])
     int axis[2];
     horizontal(up, axis);
     out[0] = out[1] = 0;
-    double down = -sun->direction[vertical(up)];
+    double down = -sun->direction[murk_axis_up(up)];
     if (!(sun->irradiance > 0) || !(down > 0))
         return;
     for (int c = 0; c < 2; c++)
@@ -48,7 +43,7 @@ murk_status murk_ground_fit(murk_context *context, const murk_medium *medium, co
     murk_status status = murk_medium_info_get(medium, &info);
     if (status)
         return status;
-    int axis[2], up = vertical(options->up);
+    int axis[2], up = murk_axis_up(options->up);
     horizontal(options->up, axis);
     bool open = options->extent_min[0] == options->extent_max[0] &&
                 options->extent_min[1] == options->extent_max[1];
@@ -86,7 +81,7 @@ murk_status murk_scene_default(murk_context *context, const murk_medium *medium,
     horizontal(up, axis);
     made.sun.direction[axis[0]] = 0.5;
     made.sun.direction[axis[1]] = up == MURK_UP_Z ? 0.25 : -0.25;
-    made.sun.direction[vertical(up)] = -0.8;
+    made.sun.direction[murk_axis_up(up)] = -0.8;
 
     murk_medium_info info;
     murk_status status = murk_medium_info_get(medium, &info);
@@ -94,7 +89,7 @@ murk_status murk_scene_default(murk_context *context, const murk_medium *medium,
         return status;
     murk_ground_options options = MURK_GROUND_DEFAULT;
     options.up = up;
-    options.height = info.box_min[vertical(up)];
+    options.height = info.box_min[murk_axis_up(up)];
     options.patches[0] = options.patches[1] = 0;
     options.extent_max[0] = options.extent_max[1] = 0;
     status = murk_ground_fit(context, medium, &made.sun, &options);
@@ -132,10 +127,10 @@ static int frame_points(const murk_scene *scene, const murk_medium_info *info, d
     horizontal(up, axis);
     shadow_slope(&scene->sun, up, slope);
     for (int c = 0; c < 8; c++, count++) {
-        double height = points[c][vertical(up)] - scene->ground->height;
+        double height = points[c][murk_axis_up(up)] - scene->ground->height;
         for (int h = 0; h < 2; h++)
             points[count][axis[h]] = points[c][axis[h]] + slope[h] * height;
-        points[count][vertical(up)] = scene->ground->height;
+        points[count][murk_axis_up(up)] = scene->ground->height;
     }
     return count;
 }
@@ -149,7 +144,7 @@ murk_status murk_camera_default(murk_context *context, const murk_scene *scene, 
         return status;
     murk_up up = scene->ground ? scene->ground->up : MURK_UP_Z;
     murk_camera camera = {.fov = 40, .size = {512, 512}};
-    camera.up[vertical(up)] = 1;
+    camera.up[murk_axis_up(up)] = 1;
     double points[16][3];
     int count = frame_points(scene, &info, points);
 
@@ -160,16 +155,16 @@ murk_status murk_camera_default(murk_context *context, const murk_scene *scene, 
     double turn = up == MURK_UP_Z ? 1 : -1;
     forward[axis[0]] = 0.28;
     forward[axis[1]] = turn * 0.87;
-    forward[vertical(up)] = -0.41;
+    forward[murk_axis_up(up)] = -0.41;
     double length = hypot(hypot(forward[0], forward[1]), forward[2]);
     for (int c = 0; c < 3; c++)
         forward[c] /= length;
     double flat = hypot(forward[axis[0]], forward[axis[1]]);
     right[axis[0]] = turn * forward[axis[1]] / flat;
     right[axis[1]] = -turn * forward[axis[0]] / flat;
-    right[vertical(up)] = 0;
+    right[murk_axis_up(up)] = 0;
     for (int c = 0; c < 3; c++)
-        above[c] = (camera.up[c] - forward[vertical(up)] * forward[c]) / flat;
+        above[c] = (camera.up[c] - forward[murk_axis_up(up)] * forward[c]) / flat;
 
     double target[3] = {0}, distance = 0, tangent = 0.9 * tan(camera.fov * M_PI / 360);
     for (int i = 0; i < count; i++)

@@ -83,22 +83,21 @@ static murk_status start(murk_system *system, const murk_vector *b, murk_vector 
     if (status)
         return status;
     double bb = murk_vector_product(system, p, q), b1 = murk_vector_product(system, s, q);
-    murk_vector_add(system, -1, q, r);
-    murk_vector_add(system, 1, p, x); /* x = b, r = b - L b */
-    status = murk_system_apply(system, s, q);
+    status = murk_system_apply(system, s, x); /* x is free: its two parts are b and b - p */
     if (status)
         return status;
-    double one = murk_vector_product(system, s, q), determinant = bb * one - b1 * b1;
-    if (!(bb > 0) || !(one > 0) || !(determinant > 1e-6 * bb * one))
-        return MURK_OK;
-    double cb = (rb * one - r1 * b1) / determinant, c1 = (r1 * bb - rb * b1) / determinant;
+    double one = murk_vector_product(system, s, x), determinant = bb * one - b1 * b1;
+    double cb = 1, c1 = 0;
+    if (bb > 0 && one > 0 && determinant > 1e-6 * bb * one) {
+        cb = (rb * one - r1 * b1) / determinant;
+        c1 = (r1 * bb - rb * b1) / determinant;
+    }
+    murk_vector_add(system, -cb, q, r);
+    murk_vector_add(system, -c1, x, r);
+    murk_vector_copy(system, b, x);
     murk_vector_add(system, cb - 1, p, x);
     murk_vector_add(system, c1, s, x);
-    murk_vector_add(system, -c1, q, r);
-    status = murk_system_apply(system, p, q);
-    if (!status)
-        murk_vector_add(system, 1 - cb, q, r);
-    return status;
+    return MURK_OK;
 }
 
 murk_status murk_conjugate_gradients(murk_system *system, const murk_vector *b, murk_vector *x,

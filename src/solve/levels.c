@@ -119,10 +119,8 @@ static murk_status refine(murk_levels *levels, murk_solution *solution, const mu
     int last = COARSE, directions = (o->tolerance < 0.03 ? 4 : 2) * COARSE;
     if (o->directions)
         directions = o->directions < 8 * COARSE ? o->directions : o->directions / 2;
-    murk_status status = MURK_OK;
-    for (bool begun = false;; begun = true) {
-        if (!begun)
-            status = begin(levels, solution, stage, goal);
+    murk_status status = begin(levels, solution, stage, goal);
+    for (;;) {
         if (!status)
             status = set_level(levels, solution, 1, directions, o->rays);
         if (!status)

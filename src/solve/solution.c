@@ -161,7 +161,7 @@ murk_status murk_solution_ground(const murk_solution *solution, float *radiosity
     int nx = ground->interior[0], ny = ground->interior[1];
     for (int ib = 0; ib < ny; ib++)
         for (int ia = 0; ia < nx; ia++) {
-            int row = ground->up == MURK_UP_Z ? ny - 1 - ib : ib;
+            int row = murk_ground_row(ground, ib);
             radiosity[row * nx + ia] = solution->patch[murk_ground_interior(ground, ia, ib)];
         }
     return MURK_OK;

@@ -93,9 +93,7 @@ static void fill_patches(murk_ground *ground, const murk_ground_options *o)
     double rho_sum = 0, e_sum = 0;
     for (int ib = 0; ib < ny; ib++)
         for (int ia = 0; ia < nx; ia++) {
-            /* Row 0 of an image is the far edge: largest y, or smallest z where y is up. */
-            int row = ground->up == MURK_UP_Z ? ny - 1 - ib : ib;
-            size_t pixel = (size_t)row * (size_t)nx + (size_t)ia;
+            size_t pixel = (size_t)murk_ground_row(ground, ib) * (size_t)nx + (size_t)ia;
             size_t patch = murk_ground_interior(ground, ia, ib);
             double rho = o->reflectance_image ? o->reflectance_image[pixel] : o->reflectance;
             double e = o->emission_image ? o->emission_image[pixel] : o->emission;
@@ -186,6 +184,11 @@ size_t murk_ground_interior(const murk_ground *ground, int ia, int ib)
     return (size_t)(ib + ground->margin) * (size_t)ground->count[0] + (size_t)(ia + ground->margin);
 }
 
+int murk_ground_row(const murk_ground *ground, int ib)
+{
+    return ground->up == MURK_UP_Z ? ground->interior[1] - 1 - ib : ib;
+}
+
 int murk_ground_axis_a(const murk_ground *ground)
 {
     (void)ground;
@@ -194,12 +197,12 @@ int murk_ground_axis_a(const murk_ground *ground)
 
 int murk_ground_axis_b(const murk_ground *ground)
 {
-    return ground->up == MURK_UP_Z ? 1 : 2;
+    return murk_axis_b(ground->up);
 }
 
 int murk_ground_axis_up(const murk_ground *ground)
 {
-    return ground->up == MURK_UP_Z ? 2 : 1;
+    return murk_axis_up(ground->up);
 }
 
 void murk_ground_patches(const murk_ground *ground, int patches[2])

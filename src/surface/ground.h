@@ -66,7 +66,22 @@ double murk_ground_area(const murk_ground *ground, size_t patch);
 /* Number of the patch at column ia, row ib of the user's interior. */
 size_t murk_ground_interior(const murk_ground *ground, int ia, int ib);
 
-/* World axis number (0, 1, 2) of a, b and up. */
+/* World axis number (0, 1, 2) of up and of b for either choice of up; a is always 0. */
+static inline int murk_axis_up(murk_up up)
+{
+    return up == MURK_UP_Z ? 2 : 1;
+}
+
+static inline int murk_axis_b(murk_up up)
+{
+    return up == MURK_UP_Z ? 1 : 2;
+}
+
+/* Row of an image of the interior that shows the patches of row ib: row 0 is the far edge, that is
+   the largest y, or the smallest z where y is up. */
+int murk_ground_row(const murk_ground *ground, int ib);
+
+/* The same of a ground, and of a. */
 int murk_ground_axis_a(const murk_ground *ground);
 int murk_ground_axis_b(const murk_ground *ground);
 int murk_ground_axis_up(const murk_ground *ground);
