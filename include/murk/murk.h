@@ -301,6 +301,9 @@ typedef enum murk_solver {
     MURK_GAUSS_SEIDEL /**< [BG91] eqs. (7)-(10), pairwise only */
 } murk_solver;
 
+/** The radiosities of the zones and patches of one scene. */
+typedef struct murk_solution murk_solution;
+
 typedef struct murk_solve_options {
     double tolerance; /**< relative error of B asked for, kappa_t-weighted L2 norm (0.01 = 1 %) */
     murk_method method;
@@ -310,20 +313,18 @@ typedef struct murk_solve_options {
     double epsilon;     /**< Gauss-Seidel: largest change of a radiosity at the end [W/m^2] */
     int max_iterations; /**< 0: 1000 */
     int window[3];      /**< pairwise: zones Mx, My, Mz of [BG91] eq. (19); 0: all */
+    /** lines: where the iteration starts, such as the frame before: voxels with the same index take
+     *  their light from it. It changes the time, not the result within the tolerance. NULL: none.
+     *  Borrowed for the call. */
+    const murk_solution *start;
 } murk_solve_options;
 
 #define MURK_SOLVE_DEFAULT                                                                         \
     {                                                                                              \
         .tolerance = 0.01, .method = MURK_LINES, .solver = MURK_CONJUGATE_GRADIENTS,               \
-        .directions = 0, .rays = 0, .epsilon = 1e-9, .max_iterations = 0, .window = {              \
-            0,                                                                                     \
-            0,                                                                                     \
-            0                                                                                      \
-        }                                                                                          \
+        .directions = 0, .rays = 0, .epsilon = 1e-9, .max_iterations = 0, .window = {0, 0, 0},     \
+        .start = NULL                                                                              \
     }
-
-/** The radiosities of the zones and patches of one scene. */
-typedef struct murk_solution murk_solution;
 
 /** What a solve did; energies in W over the medium, times in s. */
 typedef struct murk_report {
@@ -333,9 +334,11 @@ typedef struct murk_report {
     int directions;   /**< of the final quadrature; 0 for pairwise */
     int iterations;   /**< Gauss-Seidel or conjugate-gradient steps, all levels */
     int sweeps;       /**< applications of the exchange operator, weighted by directions */
-    double residual;  /**< relative; lines: on the fine level, before the last correction */
-    double tolerance; /**< as asked */
-    double estimate;  /**< relative error estimated: iteration and angular parts */
+    double crossings; /**< lines: zones times directions that were traced, all applications */
+    double seconds_exchange; /**< lines: time in those applications */
+    double residual;         /**< relative; lines: on the fine level, before the last correction */
+    double tolerance;        /**< as asked */
+    double estimate;         /**< relative error estimated: iteration and angular parts */
     double estimate_iteration, estimate_angular;
     bool reached;                  /**< estimate <= tolerance */
     double multiplications;        /**< [BG91] eq. (18) for this scene: what all stored factors
