@@ -4,9 +4,12 @@
 #define MURK_EXCHANGE_BOUNDARY_H
 
 #include "ground.h"
-#include "lattice.h"
+#include "kernel.h"
 
-/* What the lines bring along, as pi times radiance [W/m^2]. */
+/* Lines enter and leave in tiles of 8 x 8. */
+enum { MURK_TILE = 8, MURK_TILE_LINES = MURK_TILE * MURK_TILE };
+
+/* What the lines of one band bring along, as pi times radiance [W/m^2]. */
 typedef struct murk_incoming {
     const float *patch; /* radiosity of each patch, NULL: 0 */
     double sky, horizon;
@@ -21,7 +24,9 @@ typedef struct murk_incoming {
 typedef struct murk_boundary {
     const murk_ground *ground;
     int heading; /* of the lines: -1 down to the ground, +1 up from it, 0 they never meet it */
-    double hit[2], per_u[2], per_v[2]; /* footprint centre of line r: hit + r_u per_u + r_v per_v */
+    /* Footprint centre of line r: hit + r_u per_u + r_v per_v, in interior patches from the first
+     */
+    double hit[2], per_u[2], per_v[2];
     int samples[2];
     double span; /* of a footprint in units of per_u and per_v */
 } murk_boundary;
@@ -30,15 +35,16 @@ typedef struct murk_boundary {
 void murk_boundary_lay(murk_boundary *boundary, const murk_grid *grid, const murk_ground *ground,
                        const murk_lattice *lattice, bool beam);
 
-/* Sets the states of the n x n lines from (u, v) on as they enter, rows `stride` apart, and returns
-   their sum. */
-double murk_boundary_enter(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
-                           int32_t v, int n, float *state, ptrdiff_t stride);
+/* Sets the states of the tile of lines from (u, v) on as they enter, for `bands` bands that lie
+   `band` apart, rows `stride` apart, and adds them to sum [bands]. */
+void murk_boundary_enter(const murk_boundary *boundary, const murk_incoming *incoming, int bands,
+                         int32_t u, int32_t v, float *state, ptrdiff_t stride, ptrdiff_t band,
+                         double *sum);
 
 /* Adds power_per_line * (I_out - I_in) of the same lines to the patches where they end on the
-   ground [W]; patch_power may be NULL. Returns the sum of the states. */
-double murk_boundary_leave(const murk_boundary *boundary, const murk_incoming *incoming, int32_t u,
-                           int32_t v, int n, const float *state, ptrdiff_t stride,
-                           double power_per_line, double *patch_power);
+   ground [W]; patch_power [bands] and its arrays may be NULL. Adds the states to sum [bands]. */
+void murk_boundary_leave(const murk_boundary *boundary, const murk_incoming *incoming, int bands,
+                         int32_t u, int32_t v, const float *state, ptrdiff_t stride, ptrdiff_t band,
+                         double power_per_line, double *const *patch_power, double *sum);
 
 #endif

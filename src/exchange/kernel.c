@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Compiled once for each instruction set; the compiler vectorises the loops over 64 voxels. */
+/* Compiled once for each instruction set, with vectors as wide as its registers. */
 #include "kernel.h"
 
 #include <string.h>
@@ -10,68 +10,143 @@
 
 murk_kernel_fn MURK_KERNEL_NAME;
 
-/* (1 - exp(-x)) / x for 0 <= x <= MURK_THIN: its series to x^5, relative error below 2e-7. */
-static inline float phi_thin(float x)
+#if defined(__AVX512F__)
+#define LANES 16
+#elif defined(__AVX__)
+#define LANES 8
+#else
+#define LANES 4
+#endif
+enum { PIECES = MURK_CHUNK / LANES, BAND = MURK_BRICK_SLOTS / LANES };
+
+typedef float lanes __attribute__((vector_size(4 * LANES)));
+typedef int32_t whole __attribute__((vector_size(4 * LANES)));
+
+/* 1 - exp(-x) by its series, relative error below 2e-7 up to x = 0.07 and x = 0.3. */
+static inline lanes capture_faint(lanes x)
 {
-    return 1 - x * (1 / 2.f - x * (1 / 6.f - x * (1 / 24.f - x * (1 / 120.f - x / 720.f))));
+    return x * (1 - x * (1 / 2.f - x * (1 / 6.f - x * (1 / 24.f))));
 }
 
-/* The same for any x >= 0, without a branch. With -x = n ln 2 + r, |r| <= ln 2 / 2, the series of
-   exp(r) - 1 gives 1 - exp(-x) = 1 - 2^n - 2^n (exp(r) - 1) to 2e-7 of itself, however small x is;
-   the tiny addend makes phi(0) = 1. */
-static inline float phi_thick(float x)
+static inline lanes capture_thin(lanes x)
 {
-    float y = x < 80 ? x : 80;
-    float n = (float)(int32_t)(y * -1.44269504f - 0.5f);
-    float r = -y - n * 0.693147181f;
-    float p = r + r * r * (1 / 2.f + r * (1 / 6.f + r * (1 / 24.f + r * (1 / 120.f + r / 720.f))));
-    int32_t bits = ((int32_t)n + 127) << 23;
-    float scale;
-    memcpy(&scale, &bits, sizeof scale);
-    const float tiny = 1e-30f;
-    return (1 - scale - scale * p + tiny) / (x + tiny);
+    return x *
+           (1 - x * (1 / 2.f - x * (1 / 6.f - x * (1 / 24.f - x * (1 / 120.f - x * (1 / 720.f))))));
 }
 
-static inline void load(float *line, const float *plane, ptrdiff_t stride)
+/* The same for any x >= 0. With -x = n ln 2 + r, |r| <= ln 2 / 2, the series of exp(r) - 1 gives
+   1 - exp(-x) = 1 - 2^n - 2^n (exp(r) - 1) to 2e-7 of itself, however small x is. */
+static inline lanes capture_any(lanes x)
 {
-    for (int v = 0; v < 8; v++)
-        memcpy(line + 8 * v, plane + v * stride, 8 * sizeof *line);
+    const lanes most = x - x + 80;
+    whole below = x < most;
+    lanes y = (lanes)((below & (whole)x) | (~below & (whole)most));
+    whole n = __builtin_convertvector(y * -1.44269504f - 0.5f, whole);
+    lanes r = -y - __builtin_convertvector(n, lanes) * 0.693147181f;
+    lanes p = r + r * r * (1 / 2.f + r * (1 / 6.f + r * (1 / 24.f + r * (1 / 120.f + r / 720.f))));
+    lanes scale = (lanes)((n + 127) << 23);
+    return 1 - scale - scale * p;
 }
 
-static inline void store(float *plane, const float *line, ptrdiff_t stride)
+/* Piece j of the two rows of lines of a chunk. */
+#if LANES == 16
+typedef float row __attribute__((vector_size(32)));
+
+static inline lanes load_lines(const float *plane, ptrdiff_t stride, int j)
 {
-    for (int v = 0; v < 8; v++)
-        memcpy(plane + v * stride, line + 8 * v, 8 * sizeof *line);
+    (void)j;
+    row a, b;
+    memcpy(&a, plane, sizeof a);
+    memcpy(&b, plane + stride, sizeof b);
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
-#define SEGMENT(PHI)                                                                               \
-    for (int i = 0; i < 64; i++) {                                                                 \
-        float x = kappa_t[i] * length;                                                             \
-        float t = PHI(x) * (line[i] - source[i]);                                                  \
-        tally[i] += weight * t;                                                                    \
-        line[i] -= x * t;                                                                          \
+static inline void store_lines(float *plane, ptrdiff_t stride, int j, lanes value)
+{
+    (void)j;
+    row a = __builtin_shufflevector(value, value, 0, 1, 2, 3, 4, 5, 6, 7);
+    row b = __builtin_shufflevector(value, value, 8, 9, 10, 11, 12, 13, 14, 15);
+    memcpy(plane, &a, sizeof a);
+    memcpy(plane + stride, &b, sizeof b);
+}
+#else
+static inline lanes load_lines(const float *plane, ptrdiff_t stride, int j)
+{
+    lanes value;
+    memcpy(&value, plane + j * LANES / 8 * stride + j * LANES % 8, sizeof value);
+    return value;
+}
+
+static inline void store_lines(float *plane, ptrdiff_t stride, int j, lanes value)
+{
+    memcpy(plane + j * LANES / 8 * stride + j * LANES % 8, &value, sizeof value);
+}
+#endif
+
+static inline __attribute__((always_inline)) lanes capture(murk_depth depth, lanes x)
+{
+    return depth == MURK_DEPTH_FAINT  ? capture_faint(x)
+           : depth == MURK_DEPTH_THIN ? capture_thin(x)
+                                      : capture_any(x);
+}
+
+/* Layer k; depth and bands are constants where inlined. */
+static inline __attribute__((always_inline)) void
+cross_layer(const murk_kernel_job *job, int k, uint32_t chunks, murk_depth depth, int bands)
+{
+    const lanes *kappa_t = (const lanes *)(job->kappa_t + 64 * k);
+    const lanes *source = (const lanes *)(job->source + 64 * k);
+    lanes *tally = (lanes *)(job->tally + 64 * k);
+    const murk_layer *layer = &job->layer[k];
+    ptrdiff_t stride = job->stride;
+    for (int s = 0; s < layer->count; s++) {
+        const murk_segment *segment = &layer->segment[s];
+        float *plane =
+            job->plane - (layer->shift[1] + segment->dv) * stride - (layer->shift[0] + segment->du);
+        for (uint32_t left = chunks; left; left &= left - 1) {
+            int c = __builtin_ctz(left);
+            for (int j = 0; j < PIECES; j++) {
+                int n = c * PIECES + j;
+                lanes part = capture(depth, kappa_t[n] * segment->length);
+                float *at = plane + 2 * c * stride;
+                for (int b = 0; b < bands; b++, at += job->band) {
+                    lanes light = load_lines(at, stride, j);
+                    lanes taken = part * (light - source[n + b * BAND]);
+                    tally[n + b * BAND] += job->weight * taken;
+                    store_lines(at, stride, j, light - taken);
+                }
+            }
+        }
     }
+}
+
+static inline __attribute__((always_inline)) void cross(const murk_kernel_job *job,
+                                                        murk_depth depth, int bands)
+{
+    for (int k = job->sign > 0 ? 0 : 7; k >= 0 && k < 8; k += job->sign) {
+        uint32_t chunks = job->chunks >> (MURK_LAYER_CHUNKS * k) & 0xF;
+        if (chunks)
+            cross_layer(job, k, chunks, depth, bands);
+    }
+}
+
+static inline __attribute__((always_inline)) void choose_bands(const murk_kernel_job *job,
+                                                               murk_depth depth)
+{
+    if (job->bands == 1)
+        cross(job, depth, 1);
+    else if (job->bands == 2)
+        cross(job, depth, 2);
+    else
+        cross(job, depth, 3);
+}
 
 void MURK_KERNEL_NAME(const murk_kernel_job *job)
 {
-    _Alignas(64) float line[64];
-    for (int k = job->sign > 0 ? 0 : 7; k >= 0 && k < 8; k += job->sign) {
-        const murk_layer *layer = &job->layer[k];
-        const float *restrict kappa_t = __builtin_assume_aligned(job->kappa_t + 64 * k, 64);
-        const float *restrict source = __builtin_assume_aligned(job->source + 64 * k, 64);
-        float *restrict tally = __builtin_assume_aligned(job->tally + 64 * k, 64);
-        for (int s = 0; s < layer->count; s++) {
-            const murk_segment *segment = &layer->segment[s];
-            float length = segment->length, weight = job->weight * segment->fraction;
-            float *plane = job->plane - (layer->shift[1] + segment->dv) * job->stride -
-                           (layer->shift[0] + segment->du);
-            load(line, plane, job->stride);
-            if (job->thin) {
-                SEGMENT(phi_thin)
-            } else {
-                SEGMENT(phi_thick)
-            }
-            store(plane, line, job->stride);
-        }
-    }
+    if (job->depth == MURK_DEPTH_FAINT)
+        choose_bands(job, MURK_DEPTH_FAINT);
+    else if (job->depth == MURK_DEPTH_THIN)
+        choose_bands(job, MURK_DEPTH_THIN);
+    else
+        choose_bands(job, MURK_DEPTH_ANY);
 }

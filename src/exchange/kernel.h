@@ -1,31 +1,44 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The inner loop of a sweep: the lines of one direction through one brick. */
+/* The inner loop of a sweep: the lines of one lattice through one brick. */
 #ifndef MURK_EXCHANGE_KERNEL_H
 #define MURK_EXCHANGE_KERNEL_H
 
 #include "lattice.h"
 
+/* Fields that share kappa_t and are carried together at the cost of one set of exponentials. */
+enum { MURK_MOST_BANDS = 3 };
+
+/* Lines are worked through in pairs of rows: 16 voxels, 4 chunks a layer, 32 a brick. */
+enum { MURK_CHUNK = 16, MURK_LAYER_CHUNKS = 4 };
+
+/* How 1 - exp(-x) is computed, by the largest x there is. */
+typedef enum murk_depth { MURK_DEPTH_FAINT, MURK_DEPTH_THIN, MURK_DEPTH_ANY } murk_depth;
+
+static inline murk_depth murk_depth_of(double x)
+{
+    return x < 0.07 ? MURK_DEPTH_FAINT : x < 0.3 ? MURK_DEPTH_THIN : MURK_DEPTH_ANY;
+}
+
 /*
- * kappa_t, source and tally are 8 layers of 8 rows (v) of 8 voxels (u), 64-byte aligned. plane
- * points to the state of line (brick's first u, brick's first v) - shift 0, rows `stride` apart;
- * layer to the pattern of the brick's layer 0. With x = kappa_t * length and
- * phi = (1 - exp(-x)) / x each segment does
- *     t = phi (I - B);   tally += weight * fraction * t;   I -= x t
- * so that what a zone takes from a line is exactly what the line loses, at any optical depth.
+ * kappa_t is 8 layers of 8 rows (v) of 8 voxels (u), source and tally as much for each band; all
+ * are 64-byte aligned. Each segment does, with x = kappa_t * length,
+ *     t = (1 - exp(-x)) (I - B);   tally += weight t;   I -= t
+ * so that what a zone takes from a line is exactly what the line loses, at any optical depth. The
+ * tally is left to be divided by kappa_t.
  */
 typedef struct murk_kernel_job {
-    const float *kappa_t; /* 1/m */
+    const float *kappa_t; /* > 0 [1/m] */
     const float *source;  /* B [W/m^2] */
-    float *tally;         /* G/4 - B [W/m^2] */
-    float *plane;         /* I [W/m^2], pi times the radiance on each line */
-    ptrdiff_t stride;
-    const murk_layer *layer;
-    int sign; /* of travel through the layers */
-    float weight;
-    bool thin; /* all x stay below MURK_THIN: phi by its series */
+    float *tally;
+    uint32_t chunks; /* bit 4 layer + chunk: the chunk holds something */
+    int bands;
+    murk_depth depth;
+    float *plane; /* I [W/m^2], pi times radiance, of line (brick's first u, v) - shift 0 */
+    ptrdiff_t stride, band;  /* between rows of lines, and between bands */
+    const murk_layer *layer; /* pattern of the brick's layer 0 ... 7 */
+    int sign;                /* of travel through the layers */
+    float weight;            /* of a line, over its length within a layer */
 } murk_kernel_job;
-
-#define MURK_THIN 0.3f
 
 typedef void murk_kernel_fn(const murk_kernel_job *job);
 

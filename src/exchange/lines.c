@@ -9,7 +9,7 @@ struct murk_lines {
     murk_sweep *sweep;
     const murk_ground *ground;
     int directions;
-    double *patch_power;
+    double *patch_power; /* of MURK_MOST_BANDS bands */
     double flux; /* what makes the half-range flux onto the ground exact: 1/4 over its quadrature */
 };
 
@@ -66,7 +66,7 @@ murk_status murk_lines_create(murk_context *context, const murk_grid *grid, cons
     murk_lines *lines = murk_alloc(1, sizeof *lines);
     murk_line *line = murk_alloc((size_t)quadrature.count * (size_t)(rays * rays), sizeof *line);
     if (lines && ground)
-        lines->patch_power = murk_alloc(ground->patch_count, sizeof(double));
+        lines->patch_power = murk_alloc(MURK_MOST_BANDS * ground->patch_count, sizeof(double));
     if (!lines || !line || (ground && !lines->patch_power)) {
         status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %d directions",
                            quadrature.count);
@@ -106,18 +106,30 @@ const char *murk_lines_kernel(const murk_lines *lines)
     return murk_sweep_kernel(lines->sweep);
 }
 
-murk_status murk_lines_apply(murk_context *context, murk_lines *lines, const murk_radiosity *in,
-                             murk_incident *out)
+const murk_traced *murk_lines_traced(const murk_lines *lines)
 {
-    const murk_incoming incoming = {.patch = in->patch, .sky = in->sky, .horizon = in->horizon};
-    murk_status status = murk_sweep_run(context, lines->sweep, in->zone, &incoming, 4, out->zone,
-                                        out->patch ? lines->patch_power : NULL, &out->net_power);
-    if (status || !out->patch || !lines->ground)
-        return status;
-    for (size_t i = 0; i < lines->ground->patch_count; i++)
-        out->patch[i] = (float)(in->sky + lines->flux * lines->patch_power[i] /
-                                              murk_ground_area(lines->ground, i));
-    return MURK_OK;
+    return murk_sweep_traced(lines->sweep);
+}
+
+murk_status murk_lines_apply(murk_context *context, murk_lines *lines, const murk_radiosity *in,
+                             murk_incident *out, int bands)
+{
+    murk_cargo cargo[MURK_MOST_BANDS];
+    size_t patches = lines->ground && out->patch ? lines->ground->patch_count : 0;
+    for (int b = 0; b < bands; b++)
+        cargo[b] = (murk_cargo){
+            .source = in[b].zone,
+            .incoming = {.patch = in[b].patch, .sky = in[b].sky, .horizon = in[b].horizon},
+            .tally = out[b].zone,
+            .patch_power = patches ? lines->patch_power + b * patches : NULL};
+    murk_status status = murk_sweep_run(context, lines->sweep, cargo, bands, 4);
+    for (int b = 0; !status && b < bands; b++) {
+        out[b].net_power = cargo[b].net_power;
+        for (size_t i = 0; i < patches; i++)
+            out[b].patch[i] = (float)(in[b].sky + lines->flux * cargo[b].patch_power[i] /
+                                                      murk_ground_area(lines->ground, i));
+    }
+    return status;
 }
 
 static murk_status lines_init(murk_context *context, const murk_medium *medium,
@@ -137,7 +149,7 @@ static murk_status lines_init(murk_context *context, const murk_medium *medium,
 static murk_status lines_apply(murk_context *context, void *state, const murk_radiosity *in,
                                murk_incident *out)
 {
-    return murk_lines_apply(context, state, in, out);
+    return murk_lines_apply(context, state, in, out, 1);
 }
 
 static void lines_release(void *state)

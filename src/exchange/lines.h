@@ -20,9 +20,12 @@ void murk_lines_release(murk_lines *lines);
 int murk_lines_directions(const murk_lines *lines);
 const char *murk_lines_kernel(const murk_lines *lines);
 
-/* As exchange.h says; zone and patch of out may be NULL where they are not wanted. In slots without
-   extinction out->zone is G/4. */
+const murk_traced *murk_lines_traced(const murk_lines *lines);
+
+/* As exchange.h says, for 1 ... MURK_MOST_BANDS bands at once; zone and patch of out may be NULL
+   where they are not wanted, in all bands alike. In active slots without extinction out->zone is
+   G/4. */
 murk_status murk_lines_apply(murk_context *context, murk_lines *lines, const murk_radiosity *in,
-                             murk_incident *out);
+                             murk_incident *out, int bands);
 
 #endif

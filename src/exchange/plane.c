@@ -4,7 +4,8 @@
 #include <string.h>
 
 /* Copies go in runs of this many lines, which no page boundary cuts. */
-enum { RUN = 8, COPY_STRIDE = 24 };
+enum { RUN = 8, COPY_STRIDE = 24, COPY_BAND = MURK_WINDOW * COPY_STRIDE };
+enum { LEAST_BITS = 6, MOST_BITS = 9 };
 
 static size_t hash_place(int32_t u, int32_t v)
 {
@@ -31,10 +32,10 @@ static void clear_hash(murk_plane *plane)
 
 static bool grow(murk_plane *plane)
 {
-    size_t capacity = plane->capacity ? 2 * plane->capacity : 8;
-    float *state = murk_alloc(capacity * MURK_PAGE_LINES, sizeof *state);
+    size_t capacity = plane->capacity ? 2 * plane->capacity : 4;
+    float **state = murk_alloc(capacity, sizeof *state);
     int32_t(*place)[2] = murk_alloc(capacity, sizeof *place);
-    uint64_t *tiles = murk_alloc(capacity, sizeof *tiles);
+    uint64_t(*tiles)[64] = murk_alloc(capacity, sizeof *tiles);
     int32_t *bucket = murk_alloc(2 * capacity, sizeof *bucket);
     if (!state || !place || !tiles || !bucket) {
         murk_free(state);
@@ -43,8 +44,8 @@ static bool grow(murk_plane *plane)
         murk_free(bucket);
         return false;
     }
-    if (plane->count) {
-        memcpy(state, plane->state, plane->count * MURK_PAGE_LINES * sizeof *state);
+    if (plane->capacity) {
+        memcpy(state, plane->state, plane->made * sizeof *state);
         memcpy(place, plane->place, plane->count * sizeof *place);
         memcpy(tiles, plane->tiles, plane->count * sizeof *tiles);
     }
@@ -73,54 +74,87 @@ static int32_t find_page(murk_plane *plane, int32_t u, int32_t v)
             return page;
     if (plane->count == plane->capacity && !grow(plane))
         return -1;
+    if (plane->count == plane->made) {
+        plane->state[plane->made] = murk_alloc(plane->page_floats, sizeof(float));
+        if (!plane->state[plane->made])
+            return -1;
+        plane->made++;
+    }
     int32_t page = (int32_t)plane->count++;
     plane->place[page][0] = u;
     plane->place[page][1] = v;
-    plane->tiles[page] = 0;
+    memset(plane->tiles[page], 0, sizeof *plane->tiles);
     enter_hash(plane, page);
     return page;
 }
 
-/* Bits first ... last of 8. */
-static uint64_t run_of_bits(int first, int last)
+static ptrdiff_t band_stride(const murk_plane *plane)
 {
-    return (0xFFu >> (7 - last)) & (0xFFu << first);
+    return (ptrdiff_t)1 << 2 * plane->bits;
 }
 
-/* Lets the lines of a page enter whose tiles the range u0 ... u1, v0 ... v1 meets for the first
-   time; the range is cut to the page. */
+static float *page_lines(const murk_plane *plane, int32_t page, int u, int v)
+{
+    return plane->state[page] + ((ptrdiff_t)v << plane->bits) + u;
+}
+
+/* Lets the lines of a page enter whose tiles the range u0 ... u1, v0 ... v1, relative to the page,
+   meets for the first time; the range is cut to the page. */
 static void enter_tiles(murk_plane *plane, int32_t page, int32_t u0, int32_t u1, int32_t v0,
                         int32_t v1)
 {
-    int32_t u = plane->place[page][0] * MURK_PAGE, v = plane->place[page][1] * MURK_PAGE;
-    int first_u = u0 > u ? (u0 - u) / MURK_TILE : 0, first_v = v0 > v ? (v0 - v) / MURK_TILE : 0;
-    int last_u = u1 < u + MURK_PAGE ? (u1 - u) / MURK_TILE : 7;
-    int last_v = v1 < v + MURK_PAGE ? (v1 - v) / MURK_TILE : 7;
-    uint64_t row = run_of_bits(first_u, last_u), met = 0;
-    for (int tile = first_v; tile <= last_v; tile++)
-        met |= row << 8 * tile;
-    for (uint64_t fresh = met & ~plane->tiles[page]; fresh; fresh &= fresh - 1) {
-        int bit = __builtin_ctzll(fresh), at_u = bit % 8 * MURK_TILE, at_v = bit / 8 * MURK_TILE;
-        plane->entered += murk_boundary_enter(
-            plane->boundary, plane->incoming, u + at_u, v + at_v, MURK_TILE,
-            plane->state + (size_t)page * MURK_PAGE_LINES + at_v * MURK_PAGE + at_u, MURK_PAGE);
+    int32_t most = (1 << plane->bits) - 1;
+    int first = (u0 > 0 ? u0 : 0) / MURK_TILE, last = (u1 < most ? u1 : most) / MURK_TILE;
+    uint64_t run = ~(uint64_t)0 >> (63 - last + first) << first;
+    for (int row = (v0 > 0 ? v0 : 0) / MURK_TILE; row <= (v1 < most ? v1 : most) / MURK_TILE;
+         row++) {
+        uint64_t *met = &plane->tiles[page][row];
+        for (uint64_t fresh = run & ~*met; fresh; fresh &= fresh - 1) {
+            int at_u = __builtin_ctzll(fresh) * MURK_TILE, at_v = row * MURK_TILE;
+            murk_boundary_enter(plane->boundary, plane->incoming, plane->bands,
+                                (plane->place[page][0] << plane->bits) + plane->base[0] + at_u,
+                                (plane->place[page][1] << plane->bits) + plane->base[1] + at_v,
+                                page_lines(plane, page, at_u, at_v), (ptrdiff_t)1 << plane->bits,
+                                band_stride(plane), plane->entered);
+        }
+        *met |= run;
     }
-    plane->tiles[page] |= met;
+}
+
+static void free_pages(murk_plane *plane)
+{
+    for (size_t page = 0; page < plane->made; page++)
+        murk_free(plane->state[page]);
+    plane->made = 0;
 }
 
 bool murk_plane_reset(murk_plane *plane, const murk_boundary *boundary,
-                      const murk_incoming *incoming)
+                      const murk_incoming *incoming, int bands, const int32_t first[2],
+                      const int32_t last[2])
 {
     plane->boundary = boundary;
     plane->incoming = incoming;
+    plane->bands = bands;
     plane->count = 0;
-    plane->entered = 0;
+    plane->bits = LEAST_BITS;
+    for (int c = 0; c < 2; c++) {
+        plane->base[c] = first[c];
+        while (plane->bits < MOST_BITS && last[c] - first[c] >= 1 << plane->bits)
+            plane->bits++;
+    }
+    size_t floats = (size_t)bands << 2 * plane->bits;
+    if (floats > plane->page_floats) {
+        free_pages(plane);
+        plane->page_floats = floats;
+    }
+    memset(plane->entered, 0, sizeof plane->entered);
     clear_hash(plane);
     return plane->capacity || grow(plane);
 }
 
 void murk_plane_clear(murk_plane *plane)
 {
+    free_pages(plane);
     murk_free(plane->state);
     murk_free(plane->place);
     murk_free(plane->tiles);
@@ -130,60 +164,55 @@ void murk_plane_clear(murk_plane *plane)
 
 /* ---- windows ------------------------------------------------------------------------------- */
 
-static float *line_state(murk_plane *plane, int32_t page, int32_t u, int32_t v)
-{
-    return plane->state + (size_t)page * MURK_PAGE_LINES + (v & (MURK_PAGE - 1)) * MURK_PAGE +
-           (u & (MURK_PAGE - 1));
-}
-
-static int32_t page_of(int32_t line)
-{
-    return line >> 6;
-}
-
-/* Moves a window that lies across pages into its copy, or back. */
+/* Moves a window that lies across pages into its copy, or back; u and v are relative to base. */
 static void move(murk_plane *plane, murk_window *window, bool back)
 {
-    for (int run = 0; run < window->runs; run++) {
-        int32_t u = window->u + run * RUN, last = INT32_MIN, page = -1;
-        for (int row = 0; row < window->rows; row++) {
+    int32_t in = (1 << plane->bits) - 1;
+    for (int row = 0; row < window->rows; row++)
+        for (int32_t u = window->u & ~(RUN - 1); u < window->u + window->columns; u += RUN) {
             int32_t v = window->v + row;
-            if (page < 0 || page_of(v) != last) {
-                last = page_of(v);
-                page = find_page(plane, page_of(u), last);
-            }
-            float *there = line_state(plane, page, u, v);
-            float *here = window->copy + row * COPY_STRIDE + run * RUN;
-            memcpy(back ? there : here, back ? here : there, RUN * sizeof *here);
+            int32_t page = find_page(plane, u >> plane->bits, v >> plane->bits);
+            float *there = page_lines(plane, page, u & in, v & in);
+            float *here = window->copy + row * COPY_STRIDE + u - (window->u & ~(RUN - 1));
+            for (int b = 0; b < plane->bands; b++, there += band_stride(plane), here += COPY_BAND)
+                memcpy(back ? there : here, back ? here : there, RUN * sizeof *here);
         }
-    }
 }
 
 bool murk_plane_open(murk_plane *plane, int32_t u0, int32_t u1, int32_t v0, int32_t v1,
                      murk_window *window)
 {
-    int32_t pu0 = page_of(u0), pu1 = page_of(u1), pv0 = page_of(v0), pv1 = page_of(v1);
+    u0 -= plane->base[0];
+    u1 -= plane->base[0];
+    v0 -= plane->base[1];
+    v1 -= plane->base[1];
+    int32_t pu0 = u0 >> plane->bits, pu1 = u1 >> plane->bits;
+    int32_t pv0 = v0 >> plane->bits, pv1 = v1 >> plane->bits;
     int32_t page = -1;
     for (int32_t pv = pv0; pv <= pv1; pv++)
         for (int32_t pu = pu0; pu <= pu1; pu++) {
             page = find_page(plane, pu, pv);
             if (page < 0)
                 return false;
-            enter_tiles(plane, page, u0, u1, v0, v1);
+            int32_t u = pu << plane->bits, v = pv << plane->bits;
+            enter_tiles(plane, page, u0 - u, u1 - u, v0 - v, v1 - v);
         }
-    window->copied = pu0 != pu1 || pv0 != pv1;
-    if (!window->copied) {
-        window->state = line_state(plane, page, u0, v0);
-        window->stride = MURK_PAGE;
-        return true;
-    }
-    window->u = u0 & ~(RUN - 1);
+    window->u = u0;
     window->v = v0;
     window->rows = v1 - v0 + 1;
-    window->runs = ((u1 & ~(RUN - 1)) - window->u) / RUN + 1;
-    window->state = window->copy + (u0 - window->u);
-    window->stride = COPY_STRIDE;
-    move(plane, window, false);
+    window->columns = u1 - u0 + 1;
+    window->copied = pu0 != pu1 || pv0 != pv1;
+    if (window->copied) {
+        window->state = window->copy + (u0 & (RUN - 1));
+        window->stride = COPY_STRIDE;
+        window->band = COPY_BAND;
+        move(plane, window, false);
+    } else {
+        int32_t in = (1 << plane->bits) - 1;
+        window->state = page_lines(plane, page, u0 & in, v0 & in);
+        window->stride = (ptrdiff_t)1 << plane->bits;
+        window->band = band_stride(plane);
+    }
     return true;
 }
 
@@ -193,17 +222,34 @@ void murk_plane_close(murk_plane *plane, murk_window *window)
         move(plane, window, true);
 }
 
-double murk_plane_leave(const murk_plane *plane, double power_per_line, double *patch_power)
+bool murk_window_dark(const murk_window *window, int bands, float least)
 {
-    double left = 0;
-    for (size_t page = 0; page < plane->count; page++)
-        for (uint64_t met = plane->tiles[page]; met; met &= met - 1) {
-            int bit = __builtin_ctzll(met), u = bit % 8 * MURK_TILE, v = bit / 8 * MURK_TILE;
-            left += murk_boundary_leave(plane->boundary, plane->incoming,
-                                        plane->place[page][0] * MURK_PAGE + u,
-                                        plane->place[page][1] * MURK_PAGE + v, MURK_TILE,
-                                        plane->state + page * MURK_PAGE_LINES + v * MURK_PAGE + u,
-                                        MURK_PAGE, power_per_line, patch_power);
+    for (int b = 0; b < bands; b++)
+        for (int row = 0; row < window->rows; row++) {
+            const float *line = window->state + b * window->band + row * window->stride;
+            bool light = false;
+            for (int i = 0; i < window->columns; i++)
+                light |= line[i] > least || line[i] < -least;
+            if (light)
+                return false;
         }
-    return power_per_line * (plane->entered - left);
+    return true;
+}
+
+void murk_plane_leave(const murk_plane *plane, double power_per_line, double *const *patch_power,
+                      double *net_power)
+{
+    double left[MURK_MOST_BANDS] = {0};
+    for (int32_t page = 0; page < (int32_t)plane->count; page++)
+        for (int row = 0; row < 64; row++)
+            for (uint64_t met = plane->tiles[page][row]; met; met &= met - 1) {
+                int u = __builtin_ctzll(met) * MURK_TILE, v = row * MURK_TILE;
+                murk_boundary_leave(plane->boundary, plane->incoming, plane->bands,
+                                    (plane->place[page][0] << plane->bits) + plane->base[0] + u,
+                                    (plane->place[page][1] << plane->bits) + plane->base[1] + v,
+                                    page_lines(plane, page, u, v), (ptrdiff_t)1 << plane->bits,
+                                    band_stride(plane), power_per_line, patch_power, left);
+            }
+    for (int b = 0; b < plane->bands; b++)
+        net_power[b] += power_per_line * (plane->entered[b] - left[b]);
 }

@@ -5,49 +5,58 @@
 
 #include "boundary.h"
 
-/* A page is 64 x 64 lines, in 8 x 8 tiles of 8 x 8. */
-enum { MURK_PAGE = 64, MURK_PAGE_LINES = MURK_PAGE * MURK_PAGE, MURK_TILE = 8 };
-
 /*
- * Lines are kept in pages that come into being where a brick first meets one of their lines: memory
- * follows the bricks and not the box around them, and a line keeps its state across empty space at
- * no cost. Within a page the tiles that are met get their state from the boundary, the rest none.
+ * Lines are kept in square pages that come into being where a brick first meets one of their lines,
+ * and within a page the tiles of 8 x 8 lines that are met get their state from the boundary, the
+ * rest none: memory follows the bricks and not the box around them, and a line keeps its state
+ * across empty space at no cost. A page holds the whole lattice up to 512 lines each way, so that
+ * windows on most media lie in one.
  */
 typedef struct murk_plane {
     const murk_boundary *boundary;
-    const murk_incoming *incoming;
-    int32_t (*place)[2]; /* page coordinates */
-    uint64_t *tiles;     /* which tiles of a page have been met: bit v * 8 + u */
-    float *state;        /* MURK_PAGE_LINES a page */
-    size_t count, capacity;
+    const murk_incoming *incoming; /* one a band */
+    int bands;
+    int bits;                     /* a page is 2^bits x 2^bits lines */
+    int32_t base[2];              /* line (base[0], base[1]) is the first of page (0, 0) */
+    int32_t (*place)[2];          /* page coordinates */
+    float **state;                /* of each page: bands x rows v x columns u */
+    uint64_t (*tiles)[64];        /* which tiles of each page have been met: word v, bit u */
+    size_t count, made, capacity; /* pages in use, with memory, with a place in these arrays */
+    size_t page_floats;
     int32_t *bucket; /* hash of page numbers, -1 where free */
     size_t bucket_mask;
-    double entered; /* sum of the states as they entered */
+    double entered[MURK_MOST_BANDS]; /* sums of the states as they entered */
 } murk_plane;
 
-/* A window of lines (u, v) ... of at most MURK_WINDOW each way, opened for the kernel. */
+/* The lines (u, v) ... of a brick, opened for the kernel. */
 typedef struct murk_window {
-    float *state;     /* of line (u, v) */
-    ptrdiff_t stride; /* between rows */
-    int32_t u, v;     /* where the copy starts */
-    int rows, runs;
+    float *state;           /* of line (u, v), first band */
+    ptrdiff_t stride, band; /* between rows, between bands */
+    int32_t u, v;           /* where the copy starts */
+    int rows, columns;      /* of the lines asked for */
     bool copied;
-    float copy[MURK_WINDOW * 24]; /* used where the window lies across pages */
+    float copy[MURK_MOST_BANDS * MURK_WINDOW * 24]; /* used where the window lies across pages */
 } murk_window;
 
-/* Starts anew for one lattice; keeps the memory of earlier ones. */
+/* Starts anew for one lattice whose lines are first ... last along u and v; keeps the memory of
+   earlier ones. */
 bool murk_plane_reset(murk_plane *plane, const murk_boundary *boundary,
-                      const murk_incoming *incoming);
+                      const murk_incoming *incoming, int bands, const int32_t first[2],
+                      const int32_t last[2]);
 void murk_plane_clear(murk_plane *plane);
 
-/* Opens lines u0 ... u1, v0 ... v1 (both included); false when memory runs out. Every window is
-   closed before the next is opened. */
+/* Lines u0 ... u1, v0 ... v1, at most MURK_WINDOW each way, entered where they are new. False when
+   memory runs out. */
 bool murk_plane_open(murk_plane *plane, int32_t u0, int32_t u1, int32_t v0, int32_t v1,
                      murk_window *window);
 void murk_plane_close(murk_plane *plane, murk_window *window);
 
-/* Lets the lines end: adds to the patches as murk_boundary_leave() does (patch_power may be NULL),
-   and returns the sum of power_per_line * (I_in - I_out). */
-double murk_plane_leave(const murk_plane *plane, double power_per_line, double *patch_power);
+/* Whether no line of an open window carries more than `least` in any band. */
+bool murk_window_dark(const murk_window *window, int bands, float least);
+
+/* Lets all lines leave; patch_power [bands] and its arrays may be NULL. Adds what they brought in
+   minus what they take along to net_power [bands]. */
+void murk_plane_leave(const murk_plane *plane, double power_per_line, double *const *patch_power,
+                      double *net_power);
 
 #endif

@@ -8,9 +8,16 @@
 
 typedef struct murk_sweep murk_sweep;
 
-/* Lines of one set are shared out to threads in blocks of at most this many, all in one dominant
-   axis and octant, so that a brick is loaded once for the block. */
-enum { MURK_BLOCK = 8 };
+/* Lines of one set are shared out to threads in blocks of at most this many, all with one dominant
+   axis and one way along it, so that a slab of bricks is laid out once for the block. */
+enum { MURK_BLOCK = 16 };
+
+/* What sweeps have done since they were created. */
+typedef struct murk_traced {
+    double crossings; /* zones times lines */
+    double dark;      /* of them, those passed over because nothing was there to carry */
+    double seconds;
+} murk_traced;
 
 /*
  * Prepares a set of lines for a grid with its kappa_t field and a ground (may be NULL), all kept by
@@ -22,20 +29,30 @@ murk_status murk_sweep_create(murk_context *context, const murk_grid *grid, cons
 void murk_sweep_release(murk_sweep *sweep);
 
 const char *murk_sweep_kernel(const murk_sweep *sweep);
+const murk_traced *murk_sweep_traced(const murk_sweep *sweep);
+
+/* One band of what is carried and what comes of it. */
+typedef struct murk_cargo {
+    const float *source;    /* B per slot; NULL: none */
+    murk_incoming incoming; /* `uniform` is the same in all bands */
+    /* Sum over lines of weight * phi * (I - B), phi = (1 - exp(-x)) / x: for a full set of
+       directions G/4 - B; of use in active slots, where there is no extinction too. NULL: not
+       wanted. */
+    float *tally;
+    /* Power per unit weight and area factor that arrives at each patch beyond what would without
+       the medium; NULL: not wanted. Overwritten. */
+    double *patch_power;
+    double net_power; /* what all lines bring in minus what they carry out [W] */
+} murk_cargo;
 
 /*
- * Carries `incoming` and the source field (B per slot; NULL: none) along all lines.
- *   tally [slots]:        sum over lines of weight * fraction * phi * (I - B): for a full set of
- *                         directions G/4 - B, in slots without extinction G/4; NULL: not wanted
- *   patch_power [patches]: power per unit weight and area factor that arrives at each patch beyond
- *                         what would without the medium; NULL: not wanted. Overwritten.
- *   net_power:            what all lines bring in minus what they carry out [W]
- * power_factor is 4 for diffuse light (pi I over the sphere), 1 for a beam.
+ * Carries 1 ... MURK_MOST_BANDS bands along all lines; either all bands want tallies or none, and
+ * likewise patch powers. power_factor is 4 for diffuse light (pi I over the sphere), 1 for a beam.
  * The sums over lines are in an order that depends on the number of threads: results agree to
- * 1e-6 relative for different numbers, and bitwise for the same.
+ * 1e-6 relative for different numbers, and bitwise for the same. Bricks whose source and lines are
+ * below 1e-12 of the brightest source are passed over.
  */
-murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, const float *source,
-                           const murk_incoming *incoming, double power_factor, float *tally,
-                           double *patch_power, double *net_power);
+murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, murk_cargo *cargo, int bands,
+                           double power_factor);
 
 #endif

@@ -52,12 +52,14 @@ murk_status murk_beam(murk_context *context, const murk_grid *grid, const float 
         line[i].weight = 1.0 / (rays * rays);
     }
     murk_sweep *sweep = NULL;
-    const murk_incoming incoming = {.sky = sun->irradiance, .uniform = true};
+    murk_cargo cargo = {.incoming = {.sky = sun->irradiance, .uniform = true},
+                        .tally = incident,
+                        .patch_power = patch ? power : NULL};
     murk_status status =
         murk_sweep_create(context, grid, kappa_t, ground, line, rays * rays, &sweep);
     if (!status)
-        status = murk_sweep_run(context, sweep, NULL, &incoming, 1, incident, patch ? power : NULL,
-                                extinguished);
+        status = murk_sweep_run(context, sweep, &cargo, 1, 1);
+    *extinguished = cargo.net_power;
     if (!status && patch && ground) {
         double undisturbed = murk_beam_on_ground(ground, sun);
         for (size_t i = 0; i < ground->patch_count; i++)

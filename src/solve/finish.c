@@ -236,10 +236,10 @@ murk_status murk_finish(murk_context *context, murk_solution *solution, const mu
                              solution->horizon};
         murk_incident all = {net, solution->ground ? incident : NULL, 0};
         murk_incident outside = {0};
-        status = murk_lines_apply(context, lines, &in, &all);
+        status = murk_lines_apply(context, lines, &in, &all, 1);
         in.zone = NULL;
         if (!status)
-            status = murk_lines_apply(context, lines, &in, &outside);
+            status = murk_lines_apply(context, lines, &in, &outside, 1);
         if (!status)
             fill(solution, stage, solved, net, incident, all.net_power, outside.net_power);
     }
@@ -273,7 +273,7 @@ murk_status murk_solution_light_ground(murk_context *context, murk_solution *sol
         const murk_radiosity in = {.zone = solution->radiosity,
                                    .sky = M_PI * solution->sky_radiance};
         murk_incident out = {.patch = incident};
-        status = murk_lines_apply(context, lines, &in, &out);
+        status = murk_lines_apply(context, lines, &in, &out, 1);
     }
     if (!status)
         fill_patches(solution, &stage, incident);

@@ -33,13 +33,12 @@ struct murk_ground {
 
 enum { MURK_GROUND_HORIZON = -1, MURK_GROUND_NOTHING = -2 };
 
-/* Column of the patch at coordinate x on axis c (0: a, 1: b), or -1 outside. In the margin the
-   exponent and two bits of 1 + the distance find the patch, or the one before it: widths grow
-   faster than these steps. */
-static inline int murk_ground_column(const murk_ground *ground, int c, double x)
+/* Column of the patch at t on axis c (0: a, 1: b), in interior patches from the first, or -1
+   outside. In the margin the exponent and two bits of 1 + the distance find the patch, or the one
+   before it: widths grow faster than these steps. */
+static inline int murk_ground_column(const murk_ground *ground, int c, double t)
 {
     int n = ground->interior[c], margin = ground->margin;
-    double t = (x - ground->edge[c][margin]) * ground->per_metre[c];
     if (t >= 0 && t < n)
         return margin + (int)t;
     double d = t < 0 ? -t : t - n;
@@ -56,7 +55,12 @@ static inline int murk_ground_column(const murk_ground *ground, int c, double x)
 /* Patch number at (a, b); outside: MURK_GROUND_HORIZON or, without horizon, MURK_GROUND_NOTHING. */
 static inline int64_t murk_ground_patch(const murk_ground *ground, double a, double b)
 {
-    int ia = murk_ground_column(ground, 0, a), ib = murk_ground_column(ground, 1, b);
+    const double at[2] = {a, b};
+    int column[2];
+    for (int c = 0; c < 2; c++)
+        column[c] = murk_ground_column(
+            ground, c, (at[c] - ground->edge[c][ground->margin]) * ground->per_metre[c]);
+    int ia = column[0], ib = column[1];
     if (ia < 0 || ib < 0)
         return ground->horizon ? MURK_GROUND_HORIZON : MURK_GROUND_NOTHING;
     return (int64_t)ib * ground->count[0] + ia;
