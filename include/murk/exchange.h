@@ -34,6 +34,9 @@ typedef struct murk_radiosity {
     double horizon; /**< radiosity of the ground beyond all patches */
 } murk_radiosity;
 
+/** Bands that an operator takes at once. */
+enum { MURK_MOST_BANDS = 3 };
+
 /** What arrives [W/m^2]; both arrays are overwritten. */
 typedef struct murk_incident {
     float *zone;  /**< G/4 - B of each zone; undefined in slots that are no zones */
@@ -50,9 +53,10 @@ typedef struct murk_exchange_method {
     murk_status (*init)(murk_context *context, const murk_medium *medium, const murk_ground *ground,
                         const murk_solve_options *options, void **state);
 
-    /** out = G in, for all zones and patches at once. */
+    /** out = G in, for all zones and patches at once, and for 1 ... MURK_MOST_BANDS bands: kinds of
+     *  light that share kappa_t, each with its own `in` and `out`. */
     murk_status (*apply)(murk_context *context, void *state, const murk_radiosity *in,
-                         murk_incident *out);
+                         murk_incident *out, int bands);
 
     /**
      * Optional (NULL: the method cannot): one row for Gauss-Seidel. Element e < zones is the zone

@@ -333,9 +333,13 @@ typedef struct murk_report {
     int threads;
     int directions;   /**< of the final quadrature; 0 for pairwise */
     int iterations;   /**< Gauss-Seidel or conjugate-gradient steps, all levels */
-    int sweeps;       /**< applications of the exchange operator, weighted by directions */
+    int sweeps;       /**< applications of the exchange operator, in units of 48 directions on all
+                           zones */
     double crossings; /**< lines: zones times directions that were traced, all applications */
+    double crossings_dark;   /**< of them, those passed over because there was no light to carry */
     double seconds_exchange; /**< lines: time in those applications */
+    int coarsening;          /**< lines: edge of the zones on which the scattering orders were
+                                  iterated, in voxels; 1: none were merged */
     double residual;         /**< relative; lines: on the fine level, before the last correction */
     double tolerance;        /**< as asked */
     double estimate;         /**< relative error estimated: iteration and angular parts */

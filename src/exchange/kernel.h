@@ -4,9 +4,7 @@
 #define MURK_EXCHANGE_KERNEL_H
 
 #include "lattice.h"
-
-/* Fields that share kappa_t and are carried together at the cost of one set of exponentials. */
-enum { MURK_MOST_BANDS = 3 };
+#include "murk/exchange.h"
 
 /* Lines are worked through in pairs of rows: 16 voxels, 4 chunks a layer, 32 a brick. */
 enum { MURK_CHUNK = 16, MURK_LAYER_CHUNKS = 4 };

@@ -147,9 +147,9 @@ static murk_status lines_init(murk_context *context, const murk_medium *medium,
 }
 
 static murk_status lines_apply(murk_context *context, void *state, const murk_radiosity *in,
-                               murk_incident *out)
+                               murk_incident *out, int bands)
 {
-    return murk_lines_apply(context, state, in, out, 1);
+    return murk_lines_apply(context, state, in, out, bands);
 }
 
 static void lines_release(void *state)

@@ -241,11 +241,8 @@ static void apply_matrices(const murk_pairwise *p, const double *x, const double
     }
 }
 
-static murk_status apply(murk_context *context, void *state, const murk_radiosity *in,
-                         murk_incident *out)
+static void apply_band(murk_pairwise *p, const murk_radiosity *in, murk_incident *out)
 {
-    (void)context;
-    murk_pairwise *p = state;
     for (size_t k = 0; k < p->zones; k++)
         p->x[k] = in->zone ? in->zone[p->slot[k]] : 0;
     for (size_t i = 0; i < p->patches; i++)
@@ -266,6 +263,14 @@ static murk_status apply(murk_context *context, void *state, const murk_radiosit
     for (size_t i = 0; i < p->patches; i++)
         out->patch[i] = (float)((p->py[i] + p->patch_sky[i] * in->sky) / p->area[i]);
     out->net_power = power;
+}
+
+static murk_status apply(murk_context *context, void *state, const murk_radiosity *in,
+                         murk_incident *out, int bands)
+{
+    (void)context;
+    for (int b = 0; b < bands; b++)
+        apply_band(state, &in[b], &out[b]);
     return MURK_OK;
 }
 

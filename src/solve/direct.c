@@ -3,8 +3,11 @@
 #include "levels.h"
 
 #include "conjugate_gradients.h"
+#include "finish.h"
 #include "gauss_seidel.h"
+#include "lines.h"
 #include "pairwise.h"
+#include "system.h"
 
 #include <math.h>
 #include <string.h>
@@ -78,11 +81,67 @@ static murk_status gradients(murk_system *system, const murk_solve_options *opti
     return MURK_OK;
 }
 
+/* Sets the rest of the solution, which the factors say nothing about, by lines. */
+static murk_status finish(murk_context *context, murk_solution *solution, const murk_stage *stage,
+                          const murk_vector *x)
+{
+    enum { DIRECTIONS = 384 };
+    const murk_ground *ground = solution->ground;
+    size_t slots = solution->grid->brick_count * MURK_BRICK_SLOTS;
+    size_t patches = ground ? ground->patch_count : 0;
+    murk_lines *lines = NULL;
+    float *net[2], *incident[2];
+    murk_status status = MURK_OK;
+    for (int b = 0; b < 2; b++) {
+        net[b] = murk_alloc(slots, sizeof(float));
+        incident[b] = murk_alloc(patches, sizeof(float));
+        if (!net[b] || !incident[b])
+            status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu voxels",
+                               solution->grid->zone_count);
+    }
+    if (!status)
+        status = murk_lines_create(context, solution->grid, stage->kappa_t, ground, DIRECTIONS, 1,
+                                   &lines);
+    murk_stage_spread(stage, solution->medium->grid, x->zone, solution->radiosity);
+    const double sky = M_PI * solution->sky_radiance;
+    const murk_radiosity in[2] = {
+        {solution->radiosity, ground ? x->patch : NULL, sky, solution->horizon},
+        {NULL, ground ? x->patch : NULL, sky, solution->horizon}};
+    murk_incident out[2] = {{.zone = net[0], .patch = ground ? incident[0] : NULL},
+                            {.zone = net[1], .patch = ground ? incident[1] : NULL}};
+    if (!status)
+        status = murk_lines_apply(context, lines, in, out, 2);
+    if (!status)
+        murk_finish(solution, stage,
+                    &(murk_arrived){net[0], incident[0], out[0].net_power, out[1].net_power}, true);
+    for (size_t i = 0; !status && i < patches; i++) {
+        solution->patch[i] = x->patch[i];
+        if (ground->reflectance[i] > 0)
+            solution->patch_diffuse[i] = fmaxf(
+                0, (x->patch[i] - murk_stage_patch(stage, ground, i)) / ground->reflectance[i]);
+    }
+    for (int b = 0; b < 2; b++) {
+        murk_free(net[b]);
+        murk_free(incident[b]);
+    }
+    murk_lines_release(lines);
+    return status;
+}
+
+/* What b is made of by the beam and emission alone. */
+static void set_direct(const murk_system *system, const murk_stage *stage, murk_vector *direct)
+{
+    for (size_t i = 0; i < system->slots; i++) {
+        size_t o = murk_stage_slots(stage, i / MURK_BRICK_SLOTS) + i % MURK_BRICK_SLOTS;
+        direct->zone[i] = murk_stage_direct(stage, system->medium, i, o);
+    }
+    for (size_t i = 0; i < system->patches; i++)
+        direct->patch[i] = murk_stage_patch(stage, system->ground, i);
+}
+
 murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
                                 const murk_stage *stage, const murk_solve_options *options)
 {
-    /* Directions for the margin's voxels and the energies, which the factors say nothing about. */
-    enum { FINISH_DIRECTIONS = 384 };
     double start = murk_seconds();
     murk_report *report = &solution->report;
     murk_system system = {.context = context,
@@ -90,10 +149,9 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
                           .medium = solution->medium,
                           .ground = solution->ground,
                           .slots = solution->medium->grid->brick_count * MURK_BRICK_SLOTS,
-                          .patches = solution->ground ? solution->ground->patch_count : 0,
-                          .cost = 1};
+                          .patches = solution->ground ? solution->ground->patch_count : 0};
+    const murk_around around = {M_PI * solution->sky_radiance, solution->horizon};
     murk_vector b = {0}, x = {0};
-    murk_outside outside;
     murk_status status =
         system.method->init(context, solution->medium, solution->ground, options, &system.state);
     if (status)
@@ -103,8 +161,10 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
     status = murk_vector_create(&system, &b);
     if (!status)
         status = murk_vector_create(&system, &x);
-    if (!status)
-        status = murk_source_build(&system, solution, stage, &b, &outside);
+    if (!status) {
+        set_direct(&system, stage, &x);
+        status = murk_system_residual(&system, &x, &around, NULL, &b, NULL, NULL);
+    }
     bool paper = options->solver == MURK_GAUSS_SEIDEL;
     if (!status)
         status = paper ? gauss_seidel(&system, options, &b, &x, report)
@@ -114,21 +174,11 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
         report->solver = paper ? "Gauss-Seidel" : "conjugate gradients";
         report->kernel = "double";
         report->sweeps = report->iterations;
+        report->coarsening = 1;
         report->estimate = report->estimate_iteration;
         double solved = murk_seconds();
         report->seconds_solve = solved - ready;
-        status = murk_finish(context, solution, stage,
-                             &(murk_solved){.zone = x.zone,
-                                            .patch = solution->ground ? x.patch : NULL,
-                                            .directions = FINISH_DIRECTIONS,
-                                            .rays = 1});
-        for (size_t i = 0; !status && i < system.patches; i++) {
-            solution->patch[i] = x.patch[i];
-            float rho = solution->ground->reflectance[i];
-            if (rho > 0)
-                solution->patch_diffuse[i] = fmaxf(
-                    0, (x.patch[i] - solution->ground->emission[i]) / rho - stage->patch_sun[i]);
-        }
+        status = finish(context, solution, stage, &x);
         report->seconds_finish = murk_seconds() - solved;
     }
     murk_vector_clear(&b);

@@ -3,13 +3,7 @@
 #ifndef MURK_SOLVE_LEVELS_H
 #define MURK_SOLVE_LEVELS_H
 
-#include "finish.h"
-#include "system.h"
-
-/* The right-hand side b of L x = b: emission and what arrives from sun, sky and horizon without
-   having met a zone or patch; and the powers of the latter. */
-murk_status murk_source_build(const murk_system *system, const murk_solution *solution,
-                              const murk_stage *stage, murk_vector *b, murk_outside *outside);
+#include "stage.h"
 
 /* Each fills the solution and its report; options are complete (no zeros that stand for defaults
    but directions). MURK_NOT_REACHED where the estimate stays above the tolerance. */

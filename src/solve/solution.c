@@ -2,7 +2,6 @@
 #include "solution.h"
 
 #include "beam.h"
-#include "finish.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "murk/murk.h"
 
-#include "finish.h"
 #include "levels.h"
 #include "multiplications.h"
 

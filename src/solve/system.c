@@ -79,10 +79,10 @@ murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_ve
     const murk_medium *medium = system->medium;
     const murk_radiosity in = {.zone = x->zone, .patch = system->ground ? x->patch : NULL};
     murk_incident out = {.zone = y->zone, .patch = system->ground ? y->patch : NULL};
-    murk_status status = system->method->apply(system->context, system->state, &in, &out);
+    murk_status status = system->method->apply(system->context, system->state, &in, &out, 1);
     if (status)
         return status;
-    system->power += system->cost;
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
     for (size_t i = 0; i < system->slots; i++) {
         /* The operator gives G/4 - x: the difference is exact where the two almost cancel. */
         float albedo = murk_value(&medium->albedo, i);
@@ -90,5 +90,36 @@ murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_ve
     }
     for (size_t i = 0; i < system->patches; i++)
         y->patch[i] = x->patch[i] - system->ground->reflectance[i] * y->patch[i];
+    return MURK_OK;
+}
+
+murk_status murk_system_residual(murk_system *system, const murk_vector *direct,
+                                 const murk_around *around, const murk_vector *x, murk_vector *r,
+                                 murk_vector *scratch, double *diffuse)
+{
+    const murk_medium *medium = system->medium;
+    bool ground = system->ground;
+    const float *patch = x && ground ? x->patch : NULL;
+    const murk_radiosity in[2] = {{x ? x->zone : NULL, patch, around->sky, around->horizon},
+                                  {NULL, patch, around->sky, around->horizon}};
+    murk_incident out[2] = {{.zone = r->zone, .patch = ground ? r->patch : NULL}};
+    if (diffuse)
+        out[1] = (murk_incident){.zone = scratch->zone, .patch = ground ? scratch->patch : NULL};
+    murk_status status =
+        system->method->apply(system->context, system->state, in, out, diffuse ? 2 : 1);
+    if (status)
+        return status;
+    if (diffuse)
+        *diffuse = out[1].net_power;
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
+    for (size_t i = 0; i < system->slots; i++) {
+        float albedo = murk_value(&medium->albedo, i), value = x ? x->zone[i] : 0;
+        r->zone[i] = medium->kappa_t[i] > 0
+                         ? direct->zone[i] + albedo * r->zone[i] - (1 - albedo) * value
+                         : 0;
+    }
+    for (size_t i = 0; i < system->patches; i++)
+        r->patch[i] =
+            direct->patch[i] + system->ground->reflectance[i] * r->patch[i] - (x ? x->patch[i] : 0);
     return MURK_OK;
 }

@@ -26,9 +26,12 @@ typedef struct murk_system {
     const murk_medium *medium;
     const murk_ground *ground;
     size_t slots, patches;
-    double power; /* counts applications, each as `cost` */
-    double cost;
 } murk_system;
+
+/* Light from sky and from the ground beyond all patches, as in murk_radiosity. */
+typedef struct murk_around {
+    double sky, horizon;
+} murk_around;
 
 murk_status murk_vector_create(const murk_system *system, murk_vector *out);
 void murk_vector_clear(murk_vector *vector);
@@ -43,5 +46,12 @@ double murk_vector_norm2(const murk_system *system, const murk_vector *x);
 
 /* y = L x */
 murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y);
+
+/* r = b - L x, where b is `direct`, the radiosities by beam and emission alone, plus what sky and
+   horizon add to them. x may be NULL for 0. Where diffuse is not NULL it is set to the power of sky
+   and ground that the medium takes, and scratch is overwritten [W]. */
+murk_status murk_system_residual(murk_system *system, const murk_vector *direct,
+                                 const murk_around *around, const murk_vector *x, murk_vector *r,
+                                 murk_vector *scratch, double *diffuse);
 
 #endif

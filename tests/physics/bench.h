@@ -125,7 +125,7 @@ static inline double apply(const struct bench *b, const struct element_values *i
     const murk_radiosity radiosity = {in ? in->zone : NULL, in && b->patches ? in->patch : NULL,
                                       sky, horizon};
     murk_incident incident = {out->zone, b->patches ? out->patch : NULL, 0};
-    if (b->method->apply(b->world.context, b->operator, & radiosity, &incident))
+    if (b->method->apply(b->world.context, b->operator, & radiosity, &incident, 1))
         fail_msg("%s", murk_context_message(b->world.context));
     return incident.net_power;
 }

@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "coarse.h"
+
+#include "coarsen.h"
+#include "conjugate_gradients.h"
+#include "quadrature.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Larger zones pay where there are enough of them to cost something, and correct well where they
+   are optically thin; both measured on smoke (see murk bench). */
+static const size_t WORTH = 20000;
+static const double THIN = 0.5;
+
+/* ---- fields -------------------------------------------------------------------------------- */
+
+typedef float zone_value(const murk_coarse *coarse, const void *user, size_t i, size_t o);
+
+/* Sets a field on the coarse zones to the mean over the voxels that they cover, weighted by their
+   extinction: sums of kappa_t V times the field are kept. i is a slot of the medium's grid, o the
+   same of the solution's. */
+static void restrict_zones(const murk_coarse *coarse, zone_value *value, const void *user,
+                           float *out)
+{
+    const murk_medium *medium = coarse->solution->medium;
+    size_t slots[MURK_BRICK_SLOTS];
+    float share = 1 / (float)(1 << 3 * coarse->shift);
+    memset(out, 0, coarse->system.slots * sizeof *out);
+    for (size_t b = 0; b < medium->grid->brick_count; b++) {
+        size_t i = b * MURK_BRICK_SLOTS, o = murk_stage_slots(coarse->stage, b);
+        murk_coarse_slots(medium->grid, coarse->medium->grid, coarse->shift, b, slots);
+        for (size_t s = 0; s < MURK_BRICK_SLOTS; s++)
+            if (medium->kappa_t[i + s] > 0)
+                out[slots[s]] += share * medium->kappa_t[i + s] * value(coarse, user, i + s, o + s);
+    }
+    for (size_t i = 0; i < coarse->system.slots; i++)
+        if (coarse->medium->kappa_t[i] > 0)
+            out[i] /= coarse->medium->kappa_t[i];
+}
+
+static float direct_value(const murk_coarse *coarse, const void *user, size_t i, size_t o)
+{
+    (void)user;
+    return murk_stage_direct(coarse->stage, coarse->solution->medium, i, o);
+}
+
+static float residual_value(const murk_coarse *coarse, const void *user, size_t i, size_t o)
+{
+    const float *net = user, x = coarse->solution->radiosity[o];
+    float albedo = murk_value(&coarse->solution->medium->albedo, i);
+    return direct_value(coarse, NULL, i, o) + albedo * net[o] - (1 - albedo) * x;
+}
+
+/* Radiosity of the voxel in another solution; where it has none, that of beam and emission. */
+static float start_value(const murk_coarse *coarse, const void *user, size_t i, size_t o)
+{
+    const murk_solution *start = user;
+    const int32_t *brick = coarse->solution->medium->grid->brick[i / MURK_BRICK_SLOTS];
+    int32_t at = murk_grid_find(start->grid, brick[0], brick[1], brick[2]);
+    int slot = (int)(i % MURK_BRICK_SLOTS);
+    if (at == MURK_NO_BRICK || !murk_grid_active(start->grid, (size_t)at, slot))
+        return direct_value(coarse, NULL, i, o);
+    return start->radiosity[(size_t)at * MURK_BRICK_SLOTS + (size_t)slot];
+}
+
+void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *incident)
+{
+    restrict_zones(coarse, residual_value, net, coarse->r.zone);
+    for (size_t i = 0; i < coarse->system.patches; i++)
+        coarse->r.patch[i] = coarse->direct.patch[i] +
+                             coarse->system.ground->reflectance[i] * incident[i] -
+                             coarse->x.patch[i];
+}
+
+/* G/4 by scattering on the coarse zones, in place of r. */
+static void find_scattered(murk_coarse *coarse)
+{
+    for (size_t i = 0; i < coarse->system.slots; i++) {
+        float albedo = murk_value(&coarse->medium->albedo, i);
+        coarse->r.zone[i] = coarse->medium->kappa_t[i] > 0 && albedo > 0
+                                ? (coarse->x.zone[i] - coarse->direct.zone[i]) / albedo
+                                : 0;
+    }
+}
+
+/* Difference of a field across a zone along one axis: to both neighbours, to the one that is there,
+   or 0. */
+static float slope(const murk_medium *medium, const float *field, size_t slot, int axis)
+{
+    const int32_t *brick = medium->grid->brick[slot / MURK_BRICK_SLOTS];
+    const int in[3] = {slot >> 6 & 7, slot >> 3 & 7, slot & 7};
+    static const int stride[3] = {64, 8, 1};
+    float value[2], found = 0;
+    for (int side = 0; side < 2; side++) {
+        int step = side ? 1 : -1;
+        int64_t to = (int64_t)slot + step * stride[axis];
+        if (in[axis] + step < 0 || in[axis] + step > 7) {
+            int32_t at[3] = {brick[0], brick[1], brick[2]};
+            at[axis] += step;
+            int32_t next = murk_grid_find(medium->grid, at[0], at[1], at[2]);
+            to = next == MURK_NO_BRICK ? -1
+                                       : (int64_t)next * MURK_BRICK_SLOTS + (int64_t)(slot & 511) -
+                                             step * 7 * stride[axis];
+        }
+        bool there = to >= 0 && medium->kappa_t[to] > 0;
+        value[side] = there ? field[to] : field[slot];
+        found += there;
+    }
+    return found > 0 ? (value[1] - value[0]) / found : 0;
+}
+
+void murk_coarse_prolong(murk_coarse *coarse, murk_solution *solution)
+{
+    const murk_medium *medium = solution->medium;
+    const murk_grid *grid = medium->grid;
+    const float *scattered = coarse->r.zone;
+    int width = 1 << coarse->shift;
+    find_scattered(coarse);
+#pragma omp parallel for num_threads(coarse->context->threads) schedule(static)
+    for (size_t b = 0; b < grid->brick_count; b++) {
+        size_t i = b * MURK_BRICK_SLOTS, o = murk_stage_slots(coarse->stage, b), last = SIZE_MAX;
+        size_t slots[MURK_BRICK_SLOTS];
+        float slopes[3] = {0};
+        murk_coarse_slots(grid, coarse->medium->grid, coarse->shift, b, slots);
+        for (size_t s = 0; s < MURK_BRICK_SLOTS; s++) {
+            if (!(medium->kappa_t[i + s] > 0))
+                continue;
+            const int in[3] = {(int)(s >> 6), (int)(s >> 3 & 7), (int)(s & 7)};
+            float value = scattered[slots[s]];
+            for (int a = 0; coarse->shift && a < 3; a++) {
+                int32_t at = grid->brick[b][a] * MURK_BRICK_EDGE + in[a] - grid->lo[a];
+                if (slots[s] != last)
+                    slopes[a] = slope(coarse->medium, scattered, slots[s], a);
+                value += slopes[a] * (((float)(at & (width - 1)) + 0.5f) / (float)width - 0.5f);
+            }
+            last = slots[s];
+            solution->radiosity[o + s] = murk_stage_direct(coarse->stage, medium, i + s, o + s) +
+                                         murk_value(&medium->albedo, i + s) * fmaxf(0, value);
+        }
+    }
+}
+
+/* ---- equations ----------------------------------------------------------------------------- */
+
+/* Optical depth of a typical zone: the mean of kappa_t weighted by itself, across its longest
+   edge. */
+static double zone_depth(const murk_medium *medium)
+{
+    double sum = 0, square = 0;
+    const murk_grid *grid = medium->grid;
+    for (size_t i = 0; i < grid->brick_count * MURK_BRICK_SLOTS; i++) {
+        sum += medium->kappa_t[i];
+        square += (double)medium->kappa_t[i] * medium->kappa_t[i];
+    }
+    double edge = fmax(grid->voxel[0], fmax(grid->voxel[1], grid->voxel[2]));
+    return sum > 0 ? edge * square / sum : 0;
+}
+
+static int choose_shift(const murk_medium *medium)
+{
+    double depth = zone_depth(medium);
+    int shift = 0;
+    while (shift < 2 && 2 * depth * (1 << shift) <= THIN &&
+           medium->grid->zone_count >> 3 * shift > WORTH)
+        shift++;
+    return shift;
+}
+
+static murk_system system_of(const murk_coarse *coarse, murk_lines *lines)
+{
+    const murk_ground *ground = coarse->solution->ground;
+    return (murk_system){.context = coarse->context,
+                         .method = &murk_exchange_lines,
+                         .state = lines,
+                         .medium = coarse->medium,
+                         .ground = ground,
+                         .slots = coarse->medium->grid->brick_count * MURK_BRICK_SLOTS,
+                         .patches = ground ? ground->patch_count : 0};
+}
+
+murk_status murk_coarse_create(murk_context *context, const murk_solution *solution,
+                               const murk_stage *stage, const murk_solve_options *options,
+                               murk_coarse *out)
+{
+    murk_coarse made = {.context = context,
+                        .solution = solution,
+                        .stage = stage,
+                        .max_iterations = options->max_iterations,
+                        .shift = choose_shift(solution->medium),
+                        .around = {M_PI * solution->sky_radiance, solution->horizon}};
+    murk_status status = murk_medium_coarsen(context, solution->medium, made.shift, &made.medium);
+    if (!status)
+        status = murk_lines_create(context, made.medium->grid, made.medium->kappa_t,
+                                   solution->ground, MURK_ORBIT, 1, &made.lines);
+    if (!status)
+        made.system = system_of(&made, made.lines);
+    murk_vector *vectors[] = {&made.direct, &made.x, &made.r, &made.d};
+    for (size_t i = 0; !status && i < sizeof vectors / sizeof *vectors; i++)
+        status = murk_vector_create(&made.system, vectors[i]);
+    if (status) {
+        murk_coarse_clear(&made);
+        return status;
+    }
+    restrict_zones(&made, direct_value, NULL, made.direct.zone);
+    for (size_t i = 0; i < made.system.patches; i++)
+        made.direct.patch[i] = murk_stage_patch(stage, solution->ground, i);
+    *out = made;
+    return MURK_OK;
+}
+
+void murk_coarse_clear(murk_coarse *coarse)
+{
+    murk_vector_clear(&coarse->direct);
+    murk_vector_clear(&coarse->x);
+    murk_vector_clear(&coarse->r);
+    murk_vector_clear(&coarse->d);
+    murk_lines_release(coarse->lines);
+    murk_medium_release(coarse->medium);
+    memset(coarse, 0, sizeof *coarse);
+}
+
+static murk_status solve(murk_coarse *coarse, double relative, double absolute)
+{
+    murk_cg_result result;
+    murk_status status = murk_conjugate_gradients(&coarse->system, &coarse->r, &coarse->d, relative,
+                                                  absolute, coarse->max_iterations, &result);
+    if (!status)
+        coarse->iterations += result.iterations;
+    return status;
+}
+
+murk_status murk_coarse_correct(murk_coarse *coarse, double absolute)
+{
+    return solve(coarse, 0.05, absolute);
+}
+
+murk_status murk_coarse_solve(murk_coarse *coarse, const murk_solution *start, double goal)
+{
+    const murk_ground *ground = coarse->system.ground;
+    if (start) {
+        restrict_zones(coarse, start_value, start, coarse->x.zone);
+        bool same = ground && start->ground && start->ground->patch_count == ground->patch_count;
+        for (size_t i = 0; i < coarse->system.patches; i++)
+            coarse->x.patch[i] = same ? start->patch[i] : coarse->direct.patch[i];
+    }
+    murk_status status = murk_system_residual(&coarse->system, &coarse->direct, &coarse->around,
+                                              start ? &coarse->x : NULL, &coarse->r, NULL, NULL);
+    double size = start ? sqrt(murk_vector_product(&coarse->system, &coarse->x, &coarse->x)) : 0;
+    if (!status)
+        status = solve(coarse, start ? 0 : goal, goal * size);
+    if (!status)
+        murk_vector_add(&coarse->system, 1, &coarse->d, &coarse->x);
+    return status;
+}
+
+murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, double goal,
+                              double *change, double *diffuse)
+{
+    murk_lines *lines = NULL;
+    murk_status status =
+        murk_lines_create(coarse->context, coarse->medium->grid, coarse->medium->kappa_t,
+                          coarse->solution->ground, directions, rays, &lines);
+    if (status)
+        return status;
+    murk_system system = system_of(coarse, lines);
+    status = murk_system_residual(&system, &coarse->direct, &coarse->around, &coarse->x, &coarse->r,
+                                  &coarse->d, diffuse);
+    murk_coarse_count(coarse, lines);
+    murk_lines_release(lines);
+    double size = sqrt(murk_vector_product(&coarse->system, &coarse->x, &coarse->x));
+    if (!status)
+        status = murk_coarse_correct(coarse, goal * size);
+    if (status)
+        return status;
+    murk_vector_add(&coarse->system, 1, &coarse->d, &coarse->x);
+    double norm = murk_vector_norm2(&coarse->system, &coarse->x);
+    *change = norm > 0 ? sqrt(murk_vector_norm2(&coarse->system, &coarse->d) / norm) : 0;
+    return MURK_OK;
+}
+
+void murk_coarse_count(murk_coarse *coarse, const murk_lines *lines)
+{
+    const murk_traced *traced = murk_lines_traced(lines);
+    coarse->traced.crossings += traced->crossings;
+    coarse->traced.dark += traced->dark;
+    coarse->traced.seconds += traced->seconds;
+}

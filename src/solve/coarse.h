@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * The equations on few directions, and on larger zones where the medium is thin: where the orders
+ * of scattering are iterated. What that leaves out is put right by residuals that are computed
+ * finely: x += L_coarse^-1 (b - L_fine x), each of which cuts the difference between the two by the
+ * ratio of their angular and spatial errors to the solution.
+ */
+#ifndef MURK_SOLVE_COARSE_H
+#define MURK_SOLVE_COARSE_H
+
+#include "lines.h"
+#include "stage.h"
+#include "system.h"
+
+typedef struct murk_coarse {
+    murk_context *context;
+    const murk_solution *solution;
+    const murk_stage *stage;
+    int max_iterations;
+    int shift;           /* zones cover 2^shift voxels each way */
+    murk_medium *medium; /* of these zones; the medium itself where shift is 0 */
+    murk_lines *lines;   /* MURK_ORBIT directions */
+    murk_system system;
+    murk_around around;
+    murk_vector direct;  /* radiosities by beam and emission alone */
+    murk_vector x, r, d; /* solution, residual, correction */
+    int iterations;
+    murk_traced traced; /* of lines that are gone */
+} murk_coarse;
+
+murk_status murk_coarse_create(murk_context *context, const murk_solution *solution,
+                               const murk_stage *stage, const murk_solve_options *options,
+                               murk_coarse *out);
+void murk_coarse_clear(murk_coarse *coarse);
+
+/* Solves L d = r: until the error is a tenth of d or `absolute` in the norm of the system. */
+murk_status murk_coarse_correct(murk_coarse *coarse, double absolute);
+
+/* Sets x to the solution on these zones and directions, from `start` if that is not NULL, with
+   an error of about `goal`. */
+murk_status murk_coarse_solve(murk_coarse *coarse, const murk_solution *start, double goal);
+
+/* Corrects x once by the residual on more directions; gives the relative size of the correction and
+   the power of sky and ground that the medium takes. */
+murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, double goal,
+                              double *change, double *diffuse);
+
+/* Sets the solution's zones by the light that x means for them, linear within a coarse zone; r is
+   overwritten. */
+void murk_coarse_prolong(murk_coarse *coarse, murk_solution *solution);
+
+/* Sets r to the residual of the solution's zones, net being G/4 - B of them without the beam, and
+   of x's patches, which `incident` arrives at. */
+void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *incident);
+
+/* Adds what a traced set of lines did to the sums. */
+void murk_coarse_count(murk_coarse *coarse, const murk_lines *lines);
+
+#endif
