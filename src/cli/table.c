@@ -48,7 +48,8 @@ static const struct cli_option TABLE[] = {
 
     {"frames", 0, WORKING, SEQUENCE, "LIST",
      "the frames to run: 1-100, 1-100x2 or 1,3,10-20; not given: all that there are of the first "
-     "input with a pattern",
+     "input with a pattern; one that fails does not stop the others; each solve starts from the "
+     "frame before, so a sequence run in parts differs within the tolerance",
      TEXT(frames)},
     {"resume", 0, WORKING, SEQUENCE, NULL,
      "skip frames whose outputs are there and newer than their inputs", FLAG(resume)},

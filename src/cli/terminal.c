@@ -60,7 +60,7 @@ void cli_error(struct cli_terminal *terminal, const char *format, ...)
     va_end(arguments);
     print_line(terminal, text);
     if (!terminal->error[0])
-        memcpy(terminal->error, text, sizeof text);
+        strcpy(terminal->error, text);
 }
 
 void cli_say(struct cli_terminal *terminal, const char *format, ...)
