@@ -215,6 +215,8 @@ int cli_info(const struct cli_options *options, const char *command_line)
     struct cli_job job;
     murk_status status = cli_job_start(&job, options, "info", command_line);
     if (status == MURK_OK)
+        status = cli_job_describe(&job);
+    if (status == MURK_OK)
         status = cli_job_read(&job);
     if (status == MURK_OK) {
         struct verdict verdict;

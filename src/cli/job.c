@@ -1,14 +1,21 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "job.h"
 
+#include "pattern.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+bool cli_job_failed(murk_status status)
+{
+    return status != MURK_OK && status != MURK_NOT_REACHED;
+}
+
 murk_status cli_job_fail(struct cli_job *job, murk_status status)
 {
-    if (status != MURK_OK && status != MURK_NOT_REACHED)
+    if (cli_job_failed(status))
         cli_error(&job->terminal, "%s", murk_context_message(job->context));
     return status;
 }
@@ -77,7 +84,35 @@ bool cli_has_extension(const char *path, const char *extension)
     return length > tail && !strcasecmp(path + length - tail, extension);
 }
 
-murk_status cli_job_read(struct cli_job *job)
+/* Puts the frame's file where a scene names a pattern. */
+static murk_status name_frame_files(struct cli_job *job)
+{
+    const char **files[SCENE_FILE_MAX];
+    size_t count = scene_files(&job->description, files);
+    for (size_t i = 0; i < count; i++) {
+        if (!strcmp(*files[i], "-")) {
+            cli_error(&job->terminal, "%s: a sequence reads files, not standard input",
+                      job->options->input);
+            return MURK_ERROR_INPUT;
+        }
+        char *path = scene_path(&job->description, *files[i]);
+        bool pattern = path && cli_pattern_is_input(path);
+        bool memory = path;
+        free(path);
+        if (pattern) {
+            job->files[i] = cli_pattern_expand(*files[i], *job->frame);
+            memory = job->files[i];
+            *files[i] = job->files[i];
+        }
+        if (!memory) {
+            cli_error(&job->terminal, "out of memory");
+            return MURK_ERROR_MEMORY;
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status cli_job_describe(struct cli_job *job)
 {
     const char *input = job->options->input;
     char message[SCENE_MESSAGE_SIZE] = "";
@@ -86,10 +121,17 @@ murk_status cli_job_read(struct cli_job *job)
         status = scene_parse(input, &job->description, message);
     else
         scene_describe_volume(input, &job->description);
-    if (status == MURK_OK) {
+    if (status != MURK_OK)
+        cli_error(&job->terminal, "%s", message);
+    else
         apply_options(job->options, &job->description);
-        status = scene_read_volume(job->context, &job->description, &job->scene, message);
-    }
+    return status == MURK_OK && job->frame ? name_frame_files(job) : status;
+}
+
+murk_status cli_job_read(struct cli_job *job)
+{
+    char message[SCENE_MESSAGE_SIZE] = "";
+    murk_status status = scene_read_volume(job->context, &job->description, &job->scene, message);
     if (status != MURK_OK)
         cli_error(&job->terminal, "%s", message);
     job->seconds_read = cli_seconds() - job->started;
@@ -113,8 +155,11 @@ murk_status cli_job_build(struct cli_job *job)
 
 murk_status cli_job_solve(struct cli_job *job)
 {
-    murk_status status =
-        murk_solve(job->context, &job->scene.scene, &job->options->solve, &job->solution);
+    murk_solve_options options = job->options->solve;
+    options.start = job->start;
+    murk_status status = murk_solve(job->context, &job->scene.scene, &options, &job->solution);
+    murk_solution_release(job->start);
+    job->start = NULL;
     cli_terminal_clear(&job->terminal);
     return cli_job_fail(job, status);
 }
@@ -133,13 +178,34 @@ murk_status cli_job_render(struct cli_job *job)
     return cli_job_fail(job, status);
 }
 
+void cli_job_next(struct cli_job *job, murk_status status)
+{
+    if (cli_job_failed(status)) {
+        murk_solution_release(job->start);
+        job->start = NULL;
+    } else if (job->solution && strcmp(job->command, "render")) {
+        job->start = job->solution;
+        job->solution = NULL;
+    }
+    murk_image_release(job->picture);
+    murk_solution_release(job->solution);
+    job->picture = NULL;
+    job->solution = NULL;
+    scene_release(&job->scene);
+    scene_description_release(&job->description);
+    for (int i = 0; i < SCENE_FILE_MAX; i++) {
+        free(job->files[i]);
+        job->files[i] = NULL;
+    }
+    job->seconds_read = job->seconds_render = job->seconds_write = 0.0;
+    job->started = cli_seconds();
+}
+
 int cli_job_end(struct cli_job *job, murk_status status)
 {
     cli_terminal_clear(&job->terminal);
-    murk_image_release(job->picture);
-    murk_solution_release(job->solution);
-    scene_release(&job->scene);
-    scene_description_release(&job->description);
+    cli_job_next(job, status);
+    murk_solution_release(job->start);
     murk_context_release(job->context);
     switch (status) {
     case MURK_OK:

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* One run of a command: its input, its objects, its times. */
+/* One run of a command, or of one frame: its input, its objects, its times. */
 #ifndef CLI_JOB_H
 #define CLI_JOB_H
 
@@ -10,10 +10,13 @@
 struct cli_job {
     const struct cli_options *options;
     const char *command, *command_line;
+    const int *frame; /* NULL: not one of a sequence */
     struct cli_terminal terminal;
     murk_context *context;
     struct scene_description description;
+    char *files[SCENE_FILE_MAX]; /* of the frame, where the description has patterns */
     struct scene scene;
+    murk_solution *start; /* of the frame before, until this one is solved */
     murk_solution *solution;
     murk_image *picture;
     double started;
@@ -25,7 +28,10 @@ struct cli_job {
 murk_status cli_job_start(struct cli_job *job, const struct cli_options *options,
                           const char *command, const char *command_line);
 
-/* Reads INPUT: the description (options go before what it says) and the volume. */
+/* Describes INPUT for the frame, if there is one; options go before what a scene file says. */
+murk_status cli_job_describe(struct cli_job *job);
+
+/* Reads the volume, after cli_job_describe(). */
 murk_status cli_job_read(struct cli_job *job);
 
 /* Builds the scene, after cli_job_read(). */
@@ -34,8 +40,15 @@ murk_status cli_job_build(struct cli_job *job);
 murk_status cli_job_solve(struct cli_job *job);
 murk_status cli_job_render(struct cli_job *job);
 
+/* Releases what a run came to, so that the next can begin. After a frame that did not fail, its
+   solution is where the next one starts. */
+void cli_job_next(struct cli_job *job, murk_status status);
+
 /* Releases everything; gives the exit status for what the job came to. */
 int cli_job_end(struct cli_job *job, murk_status status);
+
+/* Whether a status leaves nothing to be written. */
+bool cli_job_failed(murk_status status);
 
 /* Whether path ends in extension (".vdb"), in any case. */
 bool cli_has_extension(const char *path, const char *extension);

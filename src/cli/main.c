@@ -25,10 +25,11 @@ static void print_usage(FILE *stream)
     fputs("murk lights smoke, fog and clouds, and renders what they obscure.\n\nusage:\n", stream);
     for (int i = 0; i < COMMAND_COUNT; i++)
         fprintf(stream, "  murk %s\n      %s\n", COMMANDS[i].usage, COMMANDS[i].summary);
-    fputs("\nINPUT is a .vdb file, a scene file (.json), or - for a VDB stream.\n"
+    fputs("\nINPUT is a .vdb file, a scene file (.json), or - for a VDB stream. A frame\n"
+          "pattern (####, %04d, $F4) makes image, solve and render run over a sequence.\n"
           "murk COMMAND --help lists the options of a command; murk --version tells the version.\n"
           "Exit status: 0 done, 1 bad input or usage, 2 the system failed, 3 tolerance not "
-          "reached.\n",
+          "reached;\nof a sequence the status of its worst frame: 2 before 1 before 3.\n",
           stream);
 }
 

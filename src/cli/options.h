@@ -20,6 +20,9 @@ struct cli_options {
     const char *output, *preview, *ground_radiosity;
     const char *radiosity; /* image: written; render: read */
 
+    const char *frames;
+    bool resume;
+
     const char *grid, *albedo;
     double scale, voxel_size;
     int voxels, up;

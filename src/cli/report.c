@@ -150,6 +150,8 @@ void cli_report_json(const struct cli_job *job, murk_status status)
     json_object_set_new(outputs, "ground_radiosity", cli_json_text(options->ground_radiosity));
     json_object_set_new(object, "murk", json_string(MURK_VERSION));
     json_object_set_new(object, "command", cli_json_text(job->command_line));
+    if (job->frame)
+        json_object_set_new(object, "frame", json_integer(*job->frame));
     json_object_set_new(object, "status", json_string(status_word(status)));
     murk_medium_info medium = {0};
     if (murk_medium_info_get(job->scene.medium, &medium) == MURK_OK)
@@ -159,5 +161,15 @@ void cli_report_json(const struct cli_job *job, murk_status status)
     json_object_update_new(object, solution_json(report));
     json_object_set_new(object, "energy", energy_json(report));
     json_object_set_new(object, "seconds", seconds_json(job, report));
+    cli_print_json(object);
+}
+
+void cli_report_frame(const struct cli_job *job, const char *status, const char *text)
+{
+    json_t *object = json_object();
+    json_object_set_new(object, "frame", json_integer(*job->frame));
+    json_object_set_new(object, "status", json_string(status));
+    if (text)
+        json_object_set_new(object, "message", cli_json_text(text));
     cli_print_json(object);
 }

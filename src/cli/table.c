@@ -13,9 +13,11 @@ const char *const CLI_KERNELS[] = {"avx512", "avx2", "portable", NULL};
 enum {
     PICTURE = CLI_IMAGE | CLI_RENDER,
     SOLVING = CLI_IMAGE | CLI_SOLVE,
+    WORKING = CLI_IMAGE | CLI_SOLVE | CLI_RENDER,
 };
 
 static const char OUTPUT[] = "Output";
+static const char SEQUENCE[] = "Sequence (#### or %04d or $F4 in the names of files)";
 static const char MEDIUM[] = "Medium (these go before what a scene file says)";
 static const char SOLVE[] = "Solution";
 static const char CAMERA[] = "Camera and picture";
@@ -43,6 +45,14 @@ static const struct cli_option TABLE[] = {
      "the radiosity of the ground patches [W/m^2] as .exr, one pixel a patch",
      TEXT(ground_radiosity)},
     {"json", 0, CLI_ALL, OUTPUT, NULL, "print the report as JSON on standard output", FLAG(json)},
+
+    {"frames", 0, WORKING, SEQUENCE, "LIST",
+     "the frames to run: 1-100, 1-100x2 or 1,3,10-20; not given: all that there are of the first "
+     "input with a pattern; one that fails does not stop the others; each solve starts from the "
+     "frame before, so a sequence run in parts differs within the tolerance",
+     TEXT(frames)},
+    {"resume", 0, WORKING, SEQUENCE, NULL,
+     "skip frames whose outputs are there and newer than their inputs", FLAG(resume)},
 
     {"grid", 0, CLI_ALL, MEDIUM, "NAME", "the grid to take the extinction from", TEXT(grid)},
     {"scale", 0, CLI_ALL, MEDIUM, "S",
@@ -106,7 +116,7 @@ static const struct cli_option TABLE[] = {
 
     {"threads", 0, CLI_ALL, GENERAL, "N", "threads (all processors)", .value = cli_value_count,
      FIELD(threads), WHOLE(1, 4096, "a whole number from 1 to 4096")},
-    {"kernel", 0, CLI_IMAGE | CLI_SOLVE | CLI_RENDER, GENERAL, "K",
+    {"kernel", 0, WORKING, GENERAL, "K",
      "avx512, avx2 or portable; the fastest that this processor has", CHOICE(kernel, CLI_KERNELS)},
     {"quiet", 'q', CLI_ALL, GENERAL, NULL, "print errors only", FLAG(quiet)},
     {"verbose", 'v', CLI_ALL, GENERAL, NULL, "tell more", FLAG(verbose)},

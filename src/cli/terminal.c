@@ -7,7 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { BAR_WIDTH = 40 };
+enum { BAR_WIDTH = 40, BAR_WIDTH_MIN = 8 };
 static const double REDRAW_SECONDS = 0.1;
 
 double cli_seconds(void)
@@ -23,6 +23,20 @@ void cli_terminal_init(struct cli_terminal *terminal, bool quiet, bool verbose)
         .quiet = quiet, .verbose = verbose, .bar = !quiet && isatty(STDERR_FILENO)};
 }
 
+void cli_terminal_frame(struct cli_terminal *terminal, int frame, size_t position, size_t count)
+{
+    snprintf(terminal->frame, sizeof terminal->frame, "frame %d: ", frame);
+    snprintf(terminal->position, sizeof terminal->position, "frame %d (%zu of %zu) ", frame,
+             position, count);
+    terminal->error[0] = '\0';
+}
+
+void cli_terminal_frames_end(struct cli_terminal *terminal)
+{
+    cli_terminal_clear(terminal);
+    terminal->frame[0] = terminal->position[0] = '\0';
+}
+
 void cli_terminal_clear(struct cli_terminal *terminal)
 {
     if (terminal->drawn)
@@ -31,30 +45,34 @@ void cli_terminal_clear(struct cli_terminal *terminal)
 }
 
 /* In one piece, so that the lines of runs side by side do not mix. */
-static void print_line(struct cli_terminal *terminal, const char *format, va_list arguments)
+static void print_line(struct cli_terminal *terminal, const char *text)
 {
-    char text[2048];
-    vsnprintf(text, sizeof text, format, arguments);
     cli_terminal_clear(terminal);
-    fprintf(stderr, "murk: %s\n", text);
+    fprintf(stderr, "murk: %s%s\n", terminal->frame, text);
 }
 
 void cli_error(struct cli_terminal *terminal, const char *format, ...)
 {
+    char text[CLI_LINE_SIZE];
     va_list arguments;
     va_start(arguments, format);
-    print_line(terminal, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    print_line(terminal, text);
+    if (!terminal->error[0])
+        strcpy(terminal->error, text);
 }
 
 void cli_say(struct cli_terminal *terminal, const char *format, ...)
 {
+    char text[CLI_LINE_SIZE];
     va_list arguments;
     if (terminal->quiet)
         return;
     va_start(arguments, format);
-    print_line(terminal, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    print_line(terminal, text);
 }
 
 void cli_terminal_log(void *user, murk_log_level level, const char *text)
@@ -72,11 +90,14 @@ void cli_terminal_progress(void *user, const char *stage, double done)
     double now = cli_seconds();
     if (!terminal->bar || (terminal->drawn && now - terminal->drawn_at < REDRAW_SECONDS))
         return;
-    int full = (int)(BAR_WIDTH * (done < 0.0 ? 0.0 : done > 1.0 ? 1.0 : done));
-    fprintf(stderr, "\r\033[K%-8s [", stage);
-    for (int i = 0; i < BAR_WIDTH; i++)
+    int width = BAR_WIDTH - (int)strlen(terminal->position); /* one line of 80 columns */
+    width = width < BAR_WIDTH_MIN ? BAR_WIDTH_MIN : width;
+    double part = done < 0.0 ? 0.0 : done > 1.0 ? 1.0 : done;
+    int full = (int)(width * part);
+    fprintf(stderr, "\r\033[K%s%-8s [", terminal->position, stage);
+    for (int i = 0; i < width; i++)
         fputc(i < full ? '=' : ' ', stderr);
-    fprintf(stderr, "] %3d %%", full * 100 / BAR_WIDTH);
+    fprintf(stderr, "] %3d %%", (int)(100 * part));
     fflush(stderr);
     terminal->drawn = true;
     terminal->drawn_at = now;

@@ -5,11 +5,16 @@
 
 #include "murk/murk.h"
 
+enum { CLI_LINE_SIZE = 2048 };
+
 struct cli_terminal {
     bool quiet, verbose;
-    bool bar;        /* draw progress: standard error is a terminal, and not quiet */
-    bool drawn;      /* a bar is on the line now */
-    double drawn_at; /* when [s] */
+    bool bar;                  /* draw progress: standard error is a terminal, and not quiet */
+    bool drawn;                /* a bar is on the line now */
+    double drawn_at;           /* when [s] */
+    char frame[24];            /* "frame 12: ", before every message; empty outside of a sequence */
+    char position[64];         /* "frame 12 (2 of 100) ", before the bar */
+    char error[CLI_LINE_SIZE]; /* the first error since cli_terminal_frame() */
 };
 
 void cli_terminal_init(struct cli_terminal *terminal, bool quiet, bool verbose);
@@ -19,6 +24,11 @@ void cli_error(struct cli_terminal *terminal, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void cli_say(struct cli_terminal *terminal, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/* Says that what follows is about a frame, the one at position (from 1) out of count. */
+void cli_terminal_frame(struct cli_terminal *terminal, int frame, size_t position, size_t count);
+/* Says that it is about the sequence again. */
+void cli_terminal_frames_end(struct cli_terminal *terminal);
 
 /* Takes the bar off the screen. */
 void cli_terminal_clear(struct cli_terminal *terminal);

@@ -3,23 +3,14 @@
 
 #include "output.h"
 #include "report.h"
+#include "sequence.h"
 
 #include <string.h>
 
-static bool failed(murk_status status)
+/* From a described job to a scene. */
+static murk_status prepare(struct cli_job *job)
 {
-    return status != MURK_OK && status != MURK_NOT_REACHED;
-}
-
-/* From the command line to a scene whose outputs can be written, as far as one can tell. */
-static murk_status prepare(struct cli_job *job, const struct cli_options *options,
-                           const char *command, const char *command_line)
-{
-    murk_status status = cli_job_start(job, options, command, command_line);
-    if (status == MURK_OK)
-        status = cli_output_check(job);
-    if (status == MURK_OK)
-        status = cli_job_read(job);
+    murk_status status = cli_job_read(job);
     return status == MURK_OK ? cli_job_build(job) : status;
 }
 
@@ -30,43 +21,40 @@ static murk_status aim(struct cli_job *job)
                         murk_camera_check(job->context, &job->scene.scene, &job->scene.camera));
 }
 
-/* Writes everything, tells what came out, and ends the job. */
-static int conclude(struct cli_job *job, murk_status status)
+/* Writes everything and tells what came out. */
+static murk_status conclude(struct cli_job *job, murk_status status)
 {
-    if (!failed(status)) {
-        murk_status written = cli_output_write(job);
-        if (written == MURK_OK)
-            cli_report_say(job, status);
-        else
-            status = written;
-    }
-    if (!failed(status) && job->options->json)
+    if (cli_job_failed(status))
+        return status;
+    murk_status written = cli_output_write(job);
+    if (written != MURK_OK)
+        return written;
+    cli_report_say(job, status);
+    if (job->options->json)
         cli_report_json(job, status);
-    return cli_job_end(job, status);
+    return status;
 }
 
-int cli_image(const struct cli_options *options, const char *command_line)
+static murk_status image(struct cli_job *job)
 {
-    struct cli_job job;
-    murk_status status = prepare(&job, options, "image", command_line);
-    if (!failed(status))
-        status = aim(&job);
-    if (!failed(status))
-        status = cli_job_solve(&job);
-    if (!failed(status)) {
-        murk_status rendered = cli_job_render(&job);
+    murk_status status = prepare(job);
+    if (!cli_job_failed(status))
+        status = aim(job);
+    if (!cli_job_failed(status))
+        status = cli_job_solve(job);
+    if (!cli_job_failed(status)) {
+        murk_status rendered = cli_job_render(job);
         status = rendered == MURK_OK ? status : rendered;
     }
-    return conclude(&job, status);
+    return conclude(job, status);
 }
 
-int cli_solve(const struct cli_options *options, const char *command_line)
+static murk_status solve(struct cli_job *job)
 {
-    struct cli_job job;
-    murk_status status = prepare(&job, options, "solve", command_line);
-    if (!failed(status))
-        status = cli_job_solve(&job);
-    return conclude(&job, status);
+    murk_status status = prepare(job);
+    if (!cli_job_failed(status))
+        status = cli_job_solve(job);
+    return conclude(job, status);
 }
 
 /* The solution of an earlier run, from its VDB. */
@@ -83,9 +71,30 @@ static murk_status read_solution(struct cli_job *job)
     return cli_job_fail(job, status);
 }
 
+static murk_status render(struct cli_job *job)
+{
+    murk_status status = prepare(job);
+    if (status == MURK_OK)
+        status = aim(job);
+    if (status == MURK_OK)
+        status = read_solution(job);
+    if (status == MURK_OK)
+        status = cli_job_render(job);
+    return conclude(job, status);
+}
+
+int cli_image(const struct cli_options *options, const char *command_line)
+{
+    return cli_run(options, "image", command_line, image);
+}
+
+int cli_solve(const struct cli_options *options, const char *command_line)
+{
+    return cli_run(options, "solve", command_line, solve);
+}
+
 int cli_render(const struct cli_options *options, const char *command_line)
 {
-    struct cli_job job;
     struct cli_terminal terminal;
     cli_terminal_init(&terminal, options->quiet, options->verbose);
     if (!options->radiosity) {
@@ -96,12 +105,5 @@ int cli_render(const struct cli_options *options, const char *command_line)
         cli_error(&terminal, "INPUT and --radiosity cannot both be standard input");
         return 1;
     }
-    murk_status status = prepare(&job, options, "render", command_line);
-    if (status == MURK_OK)
-        status = aim(&job);
-    if (status == MURK_OK)
-        status = read_solution(&job);
-    if (status == MURK_OK)
-        status = cli_job_render(&job);
-    return conclude(&job, status);
+    return cli_run(options, "render", command_line, render);
 }

@@ -4,19 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-char *scene_path(const struct scene_description *description, const char *file)
-{
-    const char *folder = description->folder ? description->folder : "";
-    if (*file == '/' || !strcmp(file, "-"))
-        folder = "";
-    size_t size = strlen(folder) + strlen(file) + 1;
-    char *path = malloc(size);
-    if (path)
-        snprintf(path, size, "%s%s", folder, file);
-    return path;
-}
 
 static murk_status take_channel(const murk_image *image, double max, float **out, char *message,
                                 size_t room)

@@ -5,9 +5,6 @@
 
 #include "scene.h"
 
-/* file relative to the folder of the scene, from malloc; "-" and absolute paths stay. */
-char *scene_path(const struct scene_description *description, const char *file);
-
 /* The first channel of an image in image order, from malloc. size: where it is 0 x 0 it is set to
    the image's, else the image must have it. Values must be finite and in [0, max]. */
 murk_status scene_read_pixels(murk_context *context, const struct scene_description *description,

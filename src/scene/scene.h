@@ -52,6 +52,15 @@ murk_status scene_parse(const char *path, struct scene_description *out,
                         char message[SCENE_MESSAGE_SIZE]);
 void scene_description_release(struct scene_description *description);
 
+/* Most files that one description names. */
+enum { SCENE_FILE_MAX = 4 };
+
+/* The texts of a description that name files, the medium's first; gives their number. */
+size_t scene_files(struct scene_description *description, const char **files[SCENE_FILE_MAX]);
+
+/* file relative to the folder of the scene, from malloc; "-" and absolute paths stay. */
+char *scene_path(const struct scene_description *description, const char *file);
+
 /* Reads the volume of a description into scene->volume. */
 murk_status scene_read_volume(murk_context *context, const struct scene_description *description,
                               struct scene *scene, char message[SCENE_MESSAGE_SIZE]);

@@ -54,6 +54,15 @@ vdb.write(path("empty.vdb"), grids=[empty])
 frustum = vdb.createFrustumTransform(taper=0.5, depth=1.0, xyzMin=(0, 0, 0), xyzMax=(8, 8, 8))
 vdb.write(path("frustum.vdb"), grids=[grid("density", smoke, frustum)])
 
+os.makedirs(path("puffs"), exist_ok=True)
+for frame in (1, 2, 4):  # puffs that grow; the third is missing, the fifth is no VDB
+    vdb.write(path("puffs/puff.%04d.vdb" % frame),
+              grids=[grid("density", lambda r: smoke(r) * (0.8 + 0.2 * frame))])
+with open(path("puffs/puff.0005.vdb"), "w") as text:
+    text.write("solid cube\n" * 40)
+for frame in (9, 10, 11):
+    vdb.write(path("puffs/loose.%d.vdb" % frame), grids=[grid("density", smoke)])
+
 with open(path("puff.vdb"), "rb") as whole, open(path("truncated.vdb"), "wb") as part:
     part.write(whole.read()[:-400])
 with open(path("text.vdb"), "w") as text:
@@ -68,6 +77,26 @@ def scene(name, **keys):
 scene("puff.json", sun={"direction": [0.4, 0.3, -0.87], "irradiance": 1.0}, sky={"radiance": 0.1},
       ground={"extent": [[-1, -1], [2, 2]], "patches": [12, 12], "reflectance": 0.4},
       camera={"eye": [3, -3, 2], "target": [0.35, 0.35, 0.3], "fov": 35, "size": [40, 30]})
+LIT = {"sun": {"direction": [0.4, 0.3, -0.87], "irradiance": 1.0}, "sky": {"radiance": 0.1},
+       "camera": {"eye": [3, -3, 2], "target": [0.35, 0.35, 0.3], "size": [16, 12]}}
+
+
+def sequence(name, file, **keys):
+    scene(name, medium={"file": file, "extinction": {"grid": "density", "scale": 2}},
+          **{**LIT, **keys})
+
+
+sequence("puffs.json", "puffs/puff.####.vdb")
+sequence("loose.json", "puffs/loose.$F.vdb")
+for frame in (1, 2):
+    sequence("cut_%02d.json" % frame, "puffs/puff.%04d.vdb",
+             camera={**LIT["camera"], "eye": [3, -3, frame]})
+sequence("cut_03.json", "puffs/puff.0001.vdb", camera={"fow": 40})
+sequence("cut_04.json", "-")
+sequence("plates.json", "puff.vdb", background="plate.$F2.pfm")
+for frame in (1, 2):
+    with open(path("plate.%02d.pfm" % frame), "wb") as image:
+        image.write(b"Pf\n1 1\n-1.0\n" + struct.pack("<f", frame))
 scene("unknown_top.json", grund={})
 scene("unknown_camera.json", camera={"fow": 40})
 scene("unknown_medium.json", medium={"file": "puff.vdb", "extinction": {"grid": "density", "scael": 2}})

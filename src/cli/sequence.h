@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* A command's run: once, or for each frame of a sequence. */
+#ifndef CLI_SEQUENCE_H
+#define CLI_SEQUENCE_H
+
+#include "job.h"
+
+/* What a command does with a described job, up to its written outputs and its report. */
+typedef murk_status cli_work_fn(struct cli_job *job);
+
+/*
+ * Runs the work on what the options ask for. The frames of a sequence run one after another, each
+ * solve starting from the frame before; one that fails does not stop the others. Gives the exit
+ * status: of a sequence the worst, where a failure of the system is worse than bad input, which is
+ * worse than a tolerance that is not reached.
+ */
+int cli_run(const struct cli_options *options, const char *command, const char *command_line,
+            cli_work_fn *work);
+
+#endif

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "unsteady.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static bool open_scale(const struct cli_job *job)
+{
+    murk_medium_info info;
+    return job->description.medium.extinction.scale == 0.0 &&
+           murk_medium_info_get(job->scene.medium, &info) == MURK_OK && info.extinction_scale > 0.0;
+}
+
+static bool open_ground(const struct cli_job *job)
+{
+    const murk_ground_options *ground = &job->description.ground;
+    return job->scene.ground &&
+           (isnan(ground->height) || ground->extent_min[0] == ground->extent_max[0]);
+}
+
+static bool open_camera(const struct cli_job *job)
+{
+    const murk_camera *camera = &job->description.camera;
+    return job->picture && (isnan(camera->eye[0]) || isnan(camera->target[0]));
+}
+
+static bool open_exposure(const struct cli_job *job)
+{
+    const struct cli_options *options = job->options;
+    return job->picture && isnan(options->exposure) &&
+           (options->preview || !cli_has_extension(options->output, ".exr"));
+}
+
+void cli_unsteady_warn(struct cli_job *job)
+{
+    const char *const open[] = {
+        open_scale(job) ? "extinction (--scale)" : NULL,
+        open_ground(job) ? "ground (in a scene: height, extent)" : NULL,
+        open_camera(job) ? "camera (--eye, --target)" : NULL,
+        open_exposure(job) ? "exposure (--exposure)" : NULL,
+    };
+    char list[160] = "";
+    for (size_t i = 0; i < sizeof open / sizeof *open; i++)
+        if (open[i])
+            snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", *list ? ", " : "",
+                     open[i]);
+    if (*list)
+        cli_say(&job->terminal,
+                "warning: chosen for this frame alone, so the sequence may jump: %s", list);
+}

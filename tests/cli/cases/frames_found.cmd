@@ -1,0 +1,1 @@
+murk solve fixtures/puffs.json --threads 1 -o 'r.####.vdb'

@@ -1,0 +1,1 @@
+murk image fixtures/puffs.json --frames 1

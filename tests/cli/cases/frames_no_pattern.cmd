@@ -1,0 +1,1 @@
+murk solve fixtures/puff.json --frames 1-10 -o r.vdb

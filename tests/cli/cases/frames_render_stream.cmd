@@ -1,0 +1,1 @@
+murk render fixtures/puffs.json --radiosity - -o p.#.exr

@@ -1,0 +1,1 @@
+murk image fixtures/puff.vdb --resume -o p.exr

@@ -1,0 +1,1 @@
+murk solve - -o r.#.vdb --frames 1-10

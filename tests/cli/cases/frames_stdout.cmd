@@ -1,0 +1,1 @@
+murk solve fixtures/puffs/puff.####.vdb -o -

@@ -1,0 +1,1 @@
+murk solve fixtures/loose.json -q --threads 1 -o r.#.vdb
