@@ -97,6 +97,9 @@ static json_t *solution_json(const murk_report *report)
     json_object_set_new(object, "directions", json_integer(report->directions));
     json_object_set_new(object, "iterations", json_integer(report->iterations));
     json_object_set_new(object, "sweeps", json_integer(report->sweeps));
+    json_object_set_new(object, "crossings", cli_json_number(report->crossings));
+    json_object_set_new(object, "crossings_dark", cli_json_number(report->crossings_dark));
+    json_object_set_new(object, "coarsening", json_integer(report->coarsening));
     json_object_set_new(object, "residual", cli_json_number(report->residual));
     json_object_set_new(object, "tolerance", cli_json_number(report->tolerance));
     json_object_set_new(object, "estimate", cli_json_number(report->estimate));
@@ -129,6 +132,7 @@ static json_t *seconds_json(const struct cli_job *job, const murk_report *report
     json_object_set_new(object, "light", cli_json_number(report->seconds_light));
     json_object_set_new(object, "solve", cli_json_number(report->seconds_solve));
     json_object_set_new(object, "finish", cli_json_number(report->seconds_finish));
+    json_object_set_new(object, "exchange", cli_json_number(report->seconds_exchange));
     json_object_set_new(object, "render", cli_json_number(job->seconds_render));
     json_object_set_new(object, "write", cli_json_number(job->seconds_write));
     json_object_set_new(object, "total", cli_json_number(cli_seconds() - job->started));

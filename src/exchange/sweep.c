@@ -20,7 +20,7 @@ struct block {
 
 /* Everything one thread writes to. */
 struct worker {
-    float *tally[MURK_MOST_BANDS];
+    float *tally[MURK_MOST_BANDS]; /* of the first thread: the cargo's own */
     double *patch_power[MURK_MOST_BANDS];
     double net_power[MURK_MOST_BANDS];
     double dark; /* crossings passed over */
@@ -153,7 +153,8 @@ static void dismiss(murk_sweep *sweep)
     for (int t = 0; t < sweep->worker_count; t++) {
         struct worker *worker = &sweep->worker[t];
         for (int b = 0; b < MURK_MOST_BANDS; b++) {
-            murk_free(worker->tally[b]);
+            if (t)
+                murk_free(worker->tally[b]);
             murk_free(worker->patch_power[b]);
         }
         murk_free(worker->slab);
@@ -388,6 +389,8 @@ static bool hire(murk_sweep *sweep, int count, const murk_cargo *cargo, int band
         worker->slab = murk_alloc(widest, brick_floats(bands) * sizeof(float));
         bool ok = worker->slab;
         for (int b = 0; ok && b < bands; b++) {
+            if (!t)
+                worker->tally[b] = cargo[b].tally;
             if (cargo->tally && worker->tally[b])
                 memset(worker->tally[b], 0, slots * sizeof(float));
             else if (cargo->tally)

@@ -223,6 +223,10 @@ void murk_coarse_clear(murk_coarse *coarse)
 static murk_status solve(murk_coarse *coarse, double relative, double absolute)
 {
     murk_cg_result result;
+    if (murk_vector_zero(&coarse->system, &coarse->r)) {
+        murk_vector_copy(&coarse->system, &coarse->r, &coarse->d);
+        return MURK_OK;
+    }
     murk_status status = murk_conjugate_gradients(&coarse->system, &coarse->r, &coarse->d, relative,
                                                   absolute, coarse->max_iterations, &result);
     if (!status)

@@ -213,7 +213,7 @@ static murk_status pass(murk_levels *levels, double *change)
     murk_spread spread = {.patch = murk_alloc(coarse->system.patches, sizeof(float))};
     if (!status && !spread.patch)
         status = murk_fail(levels->context, MURK_ERROR_MEMORY, "out of memory for the ground");
-    if (!status)
+    if (!status && !murk_vector_zero(&coarse->system, &coarse->r))
         status = spread_correction(levels, &spread);
     if (!status) {
         add_correction(levels);

@@ -5,6 +5,7 @@
 #include "multiplications.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static murk_status check(murk_context *context, const murk_solve_options *o)
 {
@@ -31,6 +32,24 @@ static void count_multiplications(murk_report *report, const int window[3])
     report->multiplications = murk_multiplications_full(zones, patches);
     if (window[0] > 0 && window[1] > 0 && window[2] > 0)
         report->multiplications_window = murk_multiplications_window(zones, patches, window);
+}
+
+/* What the scene did not need, in one line of the log. */
+static void note_skipped(murk_context *context, const murk_scene *scene, const murk_report *report)
+{
+    char zones[80] = "", dark[64] = "";
+    if (report->coarsening > 1)
+        snprintf(zones, sizeof zones, " zones of one voxel for scattering orders (%d an edge do);",
+                 report->coarsening);
+    if (report->crossings_dark > 0)
+        snprintf(dark, sizeof dark, " %.0f %% of the crossings (dark);",
+                 100 * report->crossings_dark / report->crossings);
+    bool sun = scene->sun.irradiance > 0, sky = scene->sky_radiance > 0;
+    bool iterates = report->iterations > 0;
+    if (*zones || *dark || !sun || !sky || !scene->ground || !iterates)
+        murk_note(context, "skipped:%s%s%s%s%s%s", zones, dark, sun ? "" : " sun;",
+                  sky ? "" : " sky;", scene->ground ? "" : " ground;",
+                  iterates ? "" : " iteration;");
 }
 
 murk_status murk_solve(murk_context *context, const murk_scene *scene,
@@ -68,6 +87,7 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
         murk_solution_release(solution);
         return status;
     }
+    note_skipped(context, scene, report);
     *out = solution;
     return status;
 }

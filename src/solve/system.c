@@ -74,6 +74,17 @@ double murk_vector_norm2(const murk_system *system, const murk_vector *x)
     return sum * medium->grid->volume;
 }
 
+bool murk_vector_zero(const murk_system *system, const murk_vector *x)
+{
+    for (size_t i = 0; i < system->slots; i++)
+        if (x->zone[i] != 0)
+            return false;
+    for (size_t i = 0; i < system->patches; i++)
+        if (x->patch[i] != 0)
+            return false;
+    return true;
+}
+
 murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y)
 {
     const murk_medium *medium = system->medium;

@@ -44,6 +44,8 @@ double murk_vector_product(const murk_system *system, const murk_vector *x, cons
 /* Sum of kappa_t V x^2 over the zones: the norm that the tolerance is about, squared. */
 double murk_vector_norm2(const murk_system *system, const murk_vector *x);
 
+bool murk_vector_zero(const murk_system *system, const murk_vector *x);
+
 /* y = L x */
 murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y);
 

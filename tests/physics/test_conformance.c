@@ -165,11 +165,44 @@ static void check_single_rows(const struct bench *b, const struct scene *scene)
     drop_values(&out);
 }
 
+/* Bands at once are what each is alone. */
+static void check_bands(const struct bench *b, const struct scene *scene)
+{
+    (void)scene;
+    uint64_t random = 23;
+    struct element_values in[MURK_MOST_BANDS], out[MURK_MOST_BANDS], alone = make_values(b);
+    murk_radiosity light[MURK_MOST_BANDS];
+    murk_incident incident[MURK_MOST_BANDS];
+    for (int n = 0; n < MURK_MOST_BANDS; n++) {
+        in[n] = some_values(b, &random);
+        out[n] = make_values(b);
+        light[n] = (murk_radiosity){n == 1 ? NULL : in[n].zone,
+                                    b->patches && n < 2 ? in[n].patch : NULL, 0.3 * n, 0.1};
+        incident[n] = (murk_incident){out[n].zone, b->patches ? out[n].patch : NULL, 0};
+    }
+    assert_int_equal(
+        b->method->apply(b->world.context, b->operator, light, incident, MURK_MOST_BANDS), MURK_OK);
+    for (int n = 0; n < MURK_MOST_BANDS; n++) {
+        murk_incident one = {alone.zone, b->patches ? alone.patch : NULL, 0};
+        assert_int_equal(b->method->apply(b->world.context, b->operator, & light[n], &one, 1),
+                         MURK_OK);
+        assert_within(incident[n].net_power, one.net_power, 1e-6 * (1 + fabs(one.net_power)));
+        for (size_t i = 0; i < b->slots; i++)
+            if (b->world.medium->kappa_t[i] > 0)
+                assert_within(out[n].zone[i], alone.zone[i], 1e-6);
+        for (size_t i = 0; i < b->patches; i++)
+            assert_within(out[n].patch[i], alone.patch[i], 1e-6);
+        drop_values(&in[n]);
+        drop_values(&out[n]);
+    }
+    drop_values(&alone);
+}
+
 /* All checks of one method for every scene. */
 static void check_method(const murk_exchange_method *method)
 {
     static void (*const checks[])(const struct bench *, const struct scene *) = {
-        check_reciprocity, check_rows, check_power, check_ground, check_single_rows};
+        check_reciprocity, check_rows, check_power, check_ground, check_single_rows, check_bands};
     static struct bench bench;
     for (int s = 0; s < SCENE_COUNT; s++) {
         print_message("%s\n", SCENES[s].name);
