@@ -4,6 +4,8 @@
 #include "beam.h"
 #include "image.h"
 
+#include <string.h>
+
 /* The image's colour channels by name, else its first ones. */
 static void choose_channels(const murk_image *image, int channel[3])
 {
@@ -112,26 +114,36 @@ static double ground_at(const murk_backdrop *backdrop, double a, double b, doubl
     return ground->emission[patch] + *reflectance * diffuse_at(backdrop, ia, ib, a, b);
 }
 
+static void light_ground(const murk_backdrop *backdrop, const murk_ends *ends,
+                         double radiance[MURK_LANES])
+{
+    double reflectance[MURK_LANES], depth[MURK_LANES];
+    bool lit[MURK_LANES], any = false;
+    for (int l = 0; l < MURK_LANES; l++) {
+        if (!(lit[l] = ends->wanted[l] && ends->ground[l]))
+            continue;
+        radiance[l] = ground_at(backdrop, ends->a[l], ends->b[l], &reflectance[l]) * M_1_PI;
+        lit[l] = reflectance[l] * backdrop->sun > 0;
+        any |= lit[l];
+    }
+    if (!any)
+        return;
+    murk_shadow_depth(&backdrop->shadow, backdrop->march, ends->point, lit, depth);
+    for (int l = 0; l < MURK_LANES; l++)
+        if (lit[l])
+            radiance[l] += reflectance[l] * backdrop->sun * M_1_PI *
+                           (depth[l] > 0 ? exp(-depth[l]) : 1);
+}
+
 void murk_backdrop_light(const murk_backdrop *backdrop, const murk_ends *ends,
                          double radiance[3][MURK_LANES])
 {
-    double radiosity[MURK_LANES], reflectance[MURK_LANES], depth[MURK_LANES];
-    bool lit[MURK_LANES], any = false;
-    for (int l = 0; l < MURK_LANES; l++) {
-        reflectance[l] = 0;
-        radiosity[l] =
-            ends->ground[l] ? ground_at(backdrop, ends->a[l], ends->b[l], &reflectance[l]) : 0;
-        lit[l] = backdrop->sun * reflectance[l] > 0;
-        any |= lit[l];
-    }
-    if (any) {
-        murk_shadow_depth(&backdrop->shadow, backdrop->march, ends->point, lit, depth);
-        for (int l = 0; l < MURK_LANES; l++)
-            radiosity[l] += backdrop->sun * reflectance[l] * (depth[l] > 0 ? exp(-depth[l]) : 1);
-    }
-    for (int c = 0; c < 3; c++)
-        for (int l = 0; l < MURK_LANES; l++)
-            radiance[c][l] = ends->ground[l]    ? radiosity[l] / M_PI
-                             : !backdrop->image ? backdrop->solution->sky_radiance
-                                                : image_at(backdrop, c, ends->x[l], ends->y[l]);
+    for (int l = 0; l < MURK_LANES; l++)
+        radiance[0][l] = ends->wanted[l] ? backdrop->solution->sky_radiance : 0;
+    light_ground(backdrop, ends, radiance[0]);
+    memcpy(radiance[1], radiance[0], sizeof *radiance);
+    memcpy(radiance[2], radiance[0], sizeof *radiance);
+    for (int l = 0; backdrop->image && l < MURK_LANES; l++)
+        for (int c = 0; c < 3 && ends->wanted[l] && !ends->ground[l]; c++)
+            radiance[c][l] = image_at(backdrop, c, ends->x[l], ends->y[l]);
 }

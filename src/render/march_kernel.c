@@ -73,41 +73,50 @@ INLINE bool meet(const murk_box *box, const murk_packet *packet, double enter[MU
     return any;
 }
 
+/* What stays the same in all bricks. */
+INLINE void aim(const murk_packet *packet, local *rays)
+{
+    for (int a = 0; a < 3; a++)
+        LANES {
+            rays->along[a][l] = (float)packet->direction[a][l];
+            rays->inverse[a][l] = (float)packet->inverse[a][l];
+        }
+}
+
 INLINE void start(const murk_box *box, const murk_packet *packet, const double enter[MURK_LANES],
                   const double leave[MURK_LANES], local *rays)
 {
-    LANES
-    {
-        rays->t[l] = 0;
-        rays->t_end[l] = (float)(greater(packet->t_max[l] - enter[l], 0));
-        rays->slot[l] = 0;
-        rays->depth[l] = rays->path[l] = 0;
-        rays->tau[l] = 1;
+    _Alignas(64) double x[3][MURK_LANES], inside[MURK_LANES];
+    LANES inside[l] = greater(leave[l] - enter[l], 0);
+    for (int a = 0; a < 3; a++)
+        LANES x[a][l] = packet->origin[a][l] + packet->direction[a][l] * enter[l] - box->low[a];
+    LANES {
+        rays->t_end[l] = (float)inside[l];
         rays->before[l] = (float)enter[l];
         rays->depth_before[l] = (float)packet->depth[l];
+        for (int a = 0; a < 3; a++)
+            rays->at[a][l] = (float)x[a][l];
+    }
+    LANES {
+        rays->t[l] = rays->depth[l] = rays->path[l] = 0;
+        rays->tau[l] = 1;
+        rays->slot[l] = 0;
     }
     for (int a = 0; a < 3; a++) {
         float from = box->from[a], to = box->to[a];
         int last = box->to[a] - 1, stride = 1 << 3 * (2 - a);
-        LANES
-        {
-            float x =
-                (float)(packet->origin[a][l] + packet->direction[a][l] * enter[l] - box->low[a]);
-            float inverse = (float)packet->inverse[a][l];
-            x = lesser_float(greater_float(x, from), to);
-            int cell = (int)x;
+        LANES {
+            float at = lesser_float(greater_float(rays->at[a][l], from), to);
+            float inverse = rays->inverse[a][l];
+            int cell = (int)at;
             cell = cell > last ? last : cell;
-            rays->at[a][l] = x;
-            rays->along[a][l] = (float)packet->direction[a][l];
-            rays->inverse[a][l] = inverse;
+            rays->at[a][l] = at;
             rays->face[a][l] = (float)(cell + (inverse > 0));
             rays->slot[l] += stride * cell;
             /* The same product as at the last face, so that no lane steps out of the box. */
-            rays->t_end[l] =
-                lesser_float(rays->t_end[l], ((inverse > 0 ? to : from) - x) * inverse);
+            rays->t_end[l] = lesser_float(rays->t_end[l], ((inverse > 0 ? to : from) - at) * inverse);
         }
     }
-    LANES rays->t_end[l] = enter[l] < leave[l] ? rays->t_end[l] : 0;
 }
 
 /* (1 - exp(-x)) / x for x >= 0, and the mean distance, as a fraction of a step of optical length x,
@@ -220,6 +229,7 @@ size_t MURK_MARCH_NAME(const murk_marched *medium, const int32_t *brick, size_t 
 {
     _Alignas(64) double enter[MURK_LANES], leave[MURK_LANES];
     local rays;
+    aim(packet, &rays);
     int seen = 1;
     for (size_t i = 0; i < count; i++) {
         if (trace && trace->capacity - trace->count < MURK_BRICK_STEPS)

@@ -90,8 +90,9 @@ static void aim(const murk_shot *shot, int left, int top, int i, int j, beam *ra
         int axis = murk_ground_axis_up(ground);
         double above = view->eye[axis] - ground->height;
         for (int l = 0; l < MURK_LANES; l++)
-            if (rays->direction[axis][l] < 0)
-                rays->t_ground[l] = fmin(above / -rays->direction[axis][l], MURK_FOREVER);
+            rays->t_ground[l] = rays->direction[axis][l] < -above / MURK_FOREVER
+                                    ? -above / rays->direction[axis][l]
+                                    : MURK_FOREVER;
     }
     for (int l = 0; l < MURK_LANES; l++) {
         packet->t_max[l] = rays->t_ground[l];
@@ -113,6 +114,7 @@ static void look_behind(const murk_shot *shot, const beam *rays, const murk_pack
     }
     for (int l = 0; l < MURK_LANES; l++) {
         double t = rays->t_ground[l];
+        ends.wanted[l] = packet->tau[l] >= MURK_OPAQUE;
         ends.ground[l] = t < MURK_FOREVER;
         ends.a[l] = view->eye[a] + t * rays->direction[a][l];
         ends.b[l] = view->eye[b] + t * rays->direction[b][l];
@@ -124,36 +126,43 @@ static void look_behind(const murk_shot *shot, const beam *rays, const murk_pack
     murk_backdrop_light(&shot->backdrop, &ends, radiance);
 }
 
-bool murk_shot_block(const murk_shot *shot, int i, int j, murk_trace *trace,
+/* Adds a packet's light, seen through the medium, to the sums of its pixels. */
+static void add(const murk_shot *shot, int i, int j, const murk_packet *packet,
+                const murk_trace *trace, const double behind[3][MURK_LANES], murk_sum *sum)
+{
+    for (int l = 0; l < MURK_LANES; l++) {
+        murk_sum *to = &sum[(j * EDGE + l / EDGE) / shot->samples * MURK_BLOCK_PIXELS +
+                            (i * EDGE + l % EDGE) / shot->samples];
+        double depth = packet->depth[l], tau = depth > 0 ? exp(-depth) : 1;
+        to->transmittance += tau;
+        to->path += packet->path[l] * M_1_PI;
+        for (int c = 0; c < 3; c++)
+            to->surface[c] += tau * behind[c][l];
+        if (depth > 0) {
+            to->depth += murk_trace_half(trace, l, depth);
+            to->deep++;
+        }
+    }
+}
+
+bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace,
                      murk_sum sum[MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS])
 {
     size_t count;
     const int32_t *brick =
-        murk_bins_list(&shot->seen, i / MURK_BIN_PIXELS, j / MURK_BIN_PIXELS, &count);
+        murk_bins_list(&shot->seen, left / MURK_BIN_PIXELS, top / MURK_BIN_PIXELS, &count);
     int packets = shot->block * shot->samples / EDGE;
     memset(sum, 0, MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS * sizeof *sum);
-    for (int n = 0; n < packets * packets; n++) {
-        int column = n % packets, row = n / packets;
-        beam rays;
-        murk_packet packet;
-        double behind[3][MURK_LANES];
-        aim(shot, i, j, column, row, &rays, &packet);
-        if (!murk_march_light(&shot->march, brick, count, &packet, trace))
-            return false;
-        look_behind(shot, &rays, &packet, behind);
-        for (int l = 0; l < MURK_LANES; l++) {
-            murk_sum *to = &sum[(row * EDGE + l / EDGE) / shot->samples * MURK_BLOCK_PIXELS +
-                                (column * EDGE + l % EDGE) / shot->samples];
-            double tau = packet.depth[l] > 0 ? exp(-packet.depth[l]) : 1;
-            to->transmittance += tau;
-            to->path += packet.path[l] / M_PI;
-            for (int c = 0; c < 3; c++)
-                to->surface[c] += tau * behind[c][l];
-            if (packet.depth[l] > 0) {
-                to->depth += murk_trace_half(trace, l, packet.depth[l]);
-                to->deep++;
-            }
+    for (int j = 0; j < packets; j++)
+        for (int i = 0; i < packets; i++) {
+            beam rays;
+            murk_packet packet;
+            double behind[3][MURK_LANES];
+            aim(shot, left, top, i, j, &rays, &packet);
+            if (!murk_march_light(&shot->march, brick, count, &packet, trace))
+                return false;
+            look_behind(shot, &rays, &packet, behind);
+            add(shot, i, j, &packet, trace, behind, sum);
         }
-    }
     return true;
 }
