@@ -131,8 +131,8 @@ static void light_ground(const murk_backdrop *backdrop, const murk_ends *ends,
     murk_shadow_depth(&backdrop->shadow, backdrop->march, ends->point, lit, depth);
     for (int l = 0; l < MURK_LANES; l++)
         if (lit[l])
-            radiance[l] += reflectance[l] * backdrop->sun * M_1_PI *
-                           (depth[l] > 0 ? exp(-depth[l]) : 1);
+            radiance[l] +=
+                reflectance[l] * backdrop->sun * M_1_PI * (depth[l] > 0 ? exp(-depth[l]) : 1);
 }
 
 void murk_backdrop_light(const murk_backdrop *backdrop, const murk_ends *ends,

@@ -17,7 +17,7 @@ typedef struct murk_backdrop {
 
 /* Rays as they end: in the world, and in the picture in [0, 1]. */
 typedef struct murk_ends {
-    bool wanted[MURK_LANES];                /* whether anything of it will be seen */
+    bool wanted[MURK_LANES];             /* whether anything of it will be seen */
     bool ground[MURK_LANES];             /* the ray meets the ground ... */
     double a[MURK_LANES], b[MURK_LANES]; /* there, in the ground's coordinates */
     double point[3][MURK_LANES];         /* and there in the grid frame, in voxels */

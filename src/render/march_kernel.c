@@ -77,7 +77,8 @@ INLINE bool meet(const murk_box *box, const murk_packet *packet, double enter[MU
 INLINE void aim(const murk_packet *packet, local *rays)
 {
     for (int a = 0; a < 3; a++)
-        LANES {
+        LANES
+        {
             rays->along[a][l] = (float)packet->direction[a][l];
             rays->inverse[a][l] = (float)packet->inverse[a][l];
         }
@@ -90,14 +91,16 @@ INLINE void start(const murk_box *box, const murk_packet *packet, const double e
     LANES inside[l] = greater(leave[l] - enter[l], 0);
     for (int a = 0; a < 3; a++)
         LANES x[a][l] = packet->origin[a][l] + packet->direction[a][l] * enter[l] - box->low[a];
-    LANES {
+    LANES
+    {
         rays->t_end[l] = (float)inside[l];
         rays->before[l] = (float)enter[l];
         rays->depth_before[l] = (float)packet->depth[l];
         for (int a = 0; a < 3; a++)
             rays->at[a][l] = (float)x[a][l];
     }
-    LANES {
+    LANES
+    {
         rays->t[l] = rays->depth[l] = rays->path[l] = 0;
         rays->tau[l] = 1;
         rays->slot[l] = 0;
@@ -105,7 +108,8 @@ INLINE void start(const murk_box *box, const murk_packet *packet, const double e
     for (int a = 0; a < 3; a++) {
         float from = box->from[a], to = box->to[a];
         int last = box->to[a] - 1, stride = 1 << 3 * (2 - a);
-        LANES {
+        LANES
+        {
             float at = lesser_float(greater_float(rays->at[a][l], from), to);
             float inverse = rays->inverse[a][l];
             int cell = (int)at;
@@ -114,7 +118,8 @@ INLINE void start(const murk_box *box, const murk_packet *packet, const double e
             rays->face[a][l] = (float)(cell + (inverse > 0));
             rays->slot[l] += stride * cell;
             /* The same product as at the last face, so that no lane steps out of the box. */
-            rays->t_end[l] = lesser_float(rays->t_end[l], ((inverse > 0 ? to : from) - at) * inverse);
+            rays->t_end[l] =
+                lesser_float(rays->t_end[l], ((inverse > 0 ? to : from) - at) * inverse);
         }
     }
 }

@@ -34,8 +34,8 @@ murk_status murk_shot_create(murk_context *context, const murk_solution *solutio
                              murk_shot *out);
 void murk_shot_clear(murk_shot *shot);
 
-/* The pixels of the block with the upper left pixel (left, top), rows of MURK_BLOCK_PIXELS. False when
-   memory runs out. */
+/* The pixels of the block with the upper left pixel (left, top), rows of MURK_BLOCK_PIXELS. False
+   when memory runs out. */
 bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace,
                      murk_sum sum[MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS]);
 
