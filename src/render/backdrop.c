@@ -4,8 +4,6 @@
 #include "beam.h"
 #include "image.h"
 
-#include <string.h>
-
 /* The image's colour channels by name, else its first ones. */
 static void choose_channels(const murk_image *image, int channel[3])
 {
@@ -141,8 +139,8 @@ void murk_backdrop_light(const murk_backdrop *backdrop, const murk_ends *ends,
     for (int l = 0; l < MURK_LANES; l++)
         radiance[0][l] = ends->wanted[l] ? backdrop->solution->sky_radiance : 0;
     light_ground(backdrop, ends, radiance[0]);
-    memcpy(radiance[1], radiance[0], sizeof *radiance);
-    memcpy(radiance[2], radiance[0], sizeof *radiance);
+    for (int l = 0; l < MURK_LANES; l++)
+        radiance[1][l] = radiance[2][l] = radiance[0][l];
     for (int l = 0; backdrop->image && l < MURK_LANES; l++)
         for (int c = 0; c < 3 && ends->wanted[l] && !ends->ground[l]; c++)
             radiance[c][l] = image_at(backdrop, c, ends->x[l], ends->y[l]);
