@@ -111,8 +111,8 @@ OIIO::ImageSpec output_spec(const murk_oiio_pixels &pixels)
             spec.z_channel = c;
     }
     spec.attribute("oiio:ColorSpace", pixels.floats ? "Linear" : "sRGB");
-    if (pixels.floats)
-        spec.attribute("compression", "zip");
+    if (pixels.floats) // Level 4, the usual one, takes a third longer for a tenth fewer bytes.
+        spec.attribute("compression", "zip:2");
     spec.attribute("Software", "murk " MURK_VERSION);
     if (pixels.command)
         spec.attribute("murk:command", pixels.command);

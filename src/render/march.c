@@ -1,146 +1,102 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "march.h"
 
-#include "beam.h"
 #include "blocks.h"
-#include "walk.h"
+#include "kernel.h"
 
-#include <math.h>
+#include <string.h>
 
-/* What is behind this much transmittance cannot be seen in a float picture of eight digits. */
-static const double OPAQUE = 1e-7;
+murk_march_fn murk_march_portable;
+#ifdef MURK_KERNEL_X86
+murk_march_fn murk_march_avx2, murk_march_avx512;
+#endif
 
-static bool remember(murk_trace *trace, double t, double depth)
+/* The function compiled for the same instruction set as the sweep's kernel. */
+static murk_status choose(murk_context *context, murk_march_fn **out)
 {
-    if (trace->count == trace->capacity) {
-        size_t capacity = trace->capacity ? 2 * trace->capacity : 256;
-        double(*grown)[2] = murk_alloc(capacity, sizeof *grown);
-        if (!grown)
-            return false;
-        for (size_t i = 0; i < trace->count; i++) {
-            grown[i][0] = trace->passed[i][0];
-            grown[i][1] = trace->passed[i][1];
-        }
-        murk_free(trace->passed);
-        trace->passed = grown;
-        trace->capacity = capacity;
+    const struct {
+        const char *name;
+        murk_march_fn *function;
+    } functions[] = {
+#ifdef MURK_KERNEL_X86
+        {"avx512", murk_march_avx512},
+        {"avx2", murk_march_avx2},
+#endif
+        {"portable", murk_march_portable},
+    };
+    murk_kernel_fn *sweep;
+    const char *name;
+    murk_status status = murk_kernel_choose(context, &sweep, &name);
+    for (size_t i = 0; !status && i < sizeof functions / sizeof *functions; i++)
+        if (!strcmp(functions[i].name, name))
+            *out = functions[i].function;
+    return status;
+}
+
+murk_status murk_march_create(murk_context *context, const murk_solution *solution, murk_march *out)
+{
+    murk_march march;
+    murk_status status = choose(context, &march.run);
+    if (status)
+        return status;
+    march.blocks = murk_blocks_create(context, solution);
+    march.box = murk_boxes_create(context, solution->medium);
+    march.medium = (murk_marched){solution->medium->kappa_t, march.blocks, march.box};
+    if (!march.blocks || !march.box) {
+        murk_march_clear(&march);
+        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for rendering");
     }
-    trace->passed[trace->count][0] = t;
-    trace->passed[trace->count][1] = depth;
-    trace->count++;
+    *out = march;
+    return MURK_OK;
+}
+
+void murk_march_clear(murk_march *march)
+{
+    murk_free(march->blocks);
+    murk_free(march->box);
+}
+
+static bool grow(murk_trace *trace)
+{
+    size_t capacity = 2 * trace->capacity + 16 * MURK_BRICK_STEPS;
+    murk_passed *passed = murk_alloc(capacity, sizeof *passed);
+    if (!passed)
+        return false;
+    if (trace->count)
+        memcpy(passed, trace->passed, trace->count * sizeof *passed);
+    murk_free(trace->passed);
+    trace->passed = passed;
+    trace->capacity = capacity;
     return true;
 }
 
-/* Where half of the depth lies, linearly within its step. The trace holds two entries a step. */
-static double find_half(const murk_trace *trace, double depth)
+bool murk_march_light(const murk_march *march, const int32_t *brick, size_t count,
+                      murk_packet *packet, murk_trace *trace)
 {
-    double half = depth / 2;
-    for (size_t i = 1; i < trace->count; i += 2) {
-        const double *from = trace->passed[i - 1], *to = trace->passed[i];
-        if (to[1] >= half)
-            return from[0] + (to[0] - from[0]) * (half - from[1]) / fmax(to[1] - from[1], 1e-300);
-    }
-    return INFINITY;
-}
-
-/* Mean distance, as a fraction of a step of optical length x, at which the light of a constant
-   source leaves for the viewer: one sample there is exact for a source that varies linearly. */
-static double centre_of_light(double x)
-{
-    if (x < 0.05)
-        return 0.5 - x / 12 + x * x * x / 720;
-    double e = exp(-x);
-    return 1 / x - e / (1 - e);
-}
-
-bool murk_march_ray(const murk_march *march, const double eye[3], const double direction[3],
-                    double t_max, murk_trace *trace, murk_light *out)
-{
-    const murk_medium *medium = march->solution->medium;
-    const murk_grid *grid = medium->grid;
-    double origin[3], along[3], depth = 0, path = 0, tau = 1;
-    murk_walk walk;
-    murk_step step;
-    murk_grid_from_world(grid, eye, origin);
-    murk_grid_direction_from_world(grid, direction, along);
-    murk_walk_start(&walk, grid, origin, along, 0, t_max);
+    size_t done = 0;
     trace->count = 0;
-    while (murk_walk_next(&walk, &step)) {
-        size_t slot = (size_t)step.brick * MURK_BRICK_SLOTS + (size_t)step.slot;
-        double kappa_t = medium->kappa_t[slot], length = step.t1 - step.t0;
-        double x = kappa_t * length;
-        if (!(x > 0))
-            continue;
-        if (!remember(trace, step.t0, depth) || !remember(trace, step.t1, depth + x))
+    while ((done += march->run(&march->medium, brick + done, count - done, packet, trace)) < count)
+        if (!grow(trace))
             return false;
-        depth += x;
-        if (tau < OPAQUE)
-            continue;
-        double t = step.t0 + length * centre_of_light(x), point[3];
-        for (int a = 0; a < 3; a++)
-            point[a] = walk.origin[a] + walk.direction[a] * t -
-                       (grid->brick[step.brick][a] * MURK_BRICK_EDGE - grid->lo[a]);
-        double radiosity =
-            murk_block_sample(march->blocks + (size_t)step.brick * MURK_BLOCK_SLOTS, point);
-        path -= tau * expm1(-x) * radiosity / M_PI;
-        tau = exp(-depth);
-    }
-    out->path = path;
-    out->transmittance = exp(-depth);
-    out->half_depth = depth > 0 ? find_half(trace, depth) : INFINITY;
     return true;
 }
 
-/* Interpolation weights between the centres of patches on one axis. */
-static void between(const murk_ground *ground, int c, int column, double x, int out[2],
-                    double *fraction)
+double murk_trace_half(const murk_trace *trace, int lane, double depth)
 {
-    const double *edge = ground->edge[c];
-    double centre = (edge[column] + edge[column + 1]) / 2;
-    int other = x < centre ? column - 1 : column + 1;
-    other = other < 0 ? 0 : other >= ground->count[c] ? ground->count[c] - 1 : other;
-    double there = (edge[other] + edge[other + 1]) / 2;
-    out[0] = column;
-    out[1] = other;
-    *fraction = other == column ? 0 : (x - centre) / (there - centre);
-}
-
-static double diffuse_at(const murk_solution *solution, size_t patch, double a, double b)
-{
-    const murk_ground *ground = solution->ground;
-    int columns = ground->count[0], ia[2], ib[2];
-    double fa, fb;
-    between(ground, 0, (int)(patch % (size_t)columns), a, ia, &fa);
-    between(ground, 1, (int)(patch / (size_t)columns), b, ib, &fb);
-    const float *h = solution->patch_diffuse;
-    double low = (1 - fa) * h[ib[0] * columns + ia[0]] + fa * h[ib[0] * columns + ia[1]];
-    double high = (1 - fa) * h[ib[1] * columns + ia[0]] + fa * h[ib[1] * columns + ia[1]];
-    return (1 - fb) * low + fb * high;
-}
-
-double murk_march_ground(const murk_march *march, double a, double b)
-{
-    const murk_solution *solution = march->solution;
-    const murk_ground *ground = solution->ground;
-    const murk_grid *grid = solution->medium->grid;
-    int64_t patch = murk_ground_patch(ground, a, b);
-    if (patch == MURK_GROUND_NOTHING)
-        return 0;
-    double sun = murk_beam_on_ground(ground, &solution->sun), travel[3];
-    if (sun > 0 && murk_beam_direction(ground, &solution->sun, travel)) {
-        double point[3], origin[3], towards[3], along[3];
-        point[murk_ground_axis_a(ground)] = a;
-        point[murk_ground_axis_b(ground)] = b;
-        point[murk_ground_axis_up(ground)] = ground->height;
-        for (int c = 0; c < 3; c++)
-            towards[c] = -travel[c];
-        murk_grid_from_world(grid, point, origin);
-        murk_grid_direction_from_world(grid, towards, along);
-        sun *= exp(-murk_walk_depth(grid, solution->medium->kappa_t, origin, along, 0, INFINITY));
+    float half = (float)(depth / 2);
+    size_t low = 0, high = trace->count;
+    if (!(half > 0))
+        return INFINITY;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (trace->passed[middle].depth[lane] < half)
+            low = middle + 1;
+        else
+            high = middle;
     }
-    if (patch == MURK_GROUND_HORIZON)
-        return ground->mean_emission +
-               ground->mean_reflectance * (sun + M_PI * solution->sky_radiance);
-    return ground->emission[patch] +
-           ground->reflectance[patch] * (sun + diffuse_at(solution, (size_t)patch, a, b));
+    if (low == trace->count) /* in the last step, to rounding */
+        low--;
+    const murk_passed *in = &trace->passed[low];
+    float kappa_t = in->kappa_t[lane];
+    return in->t[lane] - (kappa_t > 0 ? (in->depth[lane] - half) / kappa_t : 0);
 }

@@ -1,36 +1,29 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* [BG91] eq. (11) along one ray. */
+/* [BG91] eq. (11) along rays. */
 #ifndef MURK_RENDER_MARCH_H
 #define MURK_RENDER_MARCH_H
 
+#include "march_kernel.h"
 #include "solution.h"
 
-/* The medium as rays see it. */
+/* The medium, and the function that this processor marches with. */
 typedef struct murk_march {
-    const murk_solution *solution;
-    float *blocks;
+    murk_marched medium;
+    murk_march_fn *run;
+    float *blocks; /* owned, as is box */
+    murk_box *box;
 } murk_march;
 
-typedef struct murk_light {
-    double path;          /* radiance from the medium [W/m^2/sr] */
-    double transmittance; /* tau(L) */
-    double
-        half_depth; /* where half of the optical depth is passed [m]; INFINITY if there is none */
-} murk_light;
+murk_status murk_march_create(murk_context *context, const murk_solution *solution,
+                              murk_march *out);
+void murk_march_clear(murk_march *march);
 
-/* Optical depths passed along a ray, for half_depth; one per thread. */
-typedef struct murk_trace {
-    double (*passed)[2]; /* t at the end of a step, optical depth up to there */
-    size_t count, capacity;
-} murk_trace;
+/* Light from the bricks, given front to back, into the packet, and its steps into the trace. False
+   when memory runs out. */
+bool murk_march_light(const murk_march *march, const int32_t *brick, size_t count,
+                      murk_packet *packet, murk_trace *trace);
 
-/* Light at the world point eye from direction (unit vector, away from the eye) up to t_max.
-   False when memory runs out. */
-bool murk_march_ray(const murk_march *march, const double eye[3], const double direction[3],
-                    double t_max, murk_trace *trace, murk_light *out);
-
-/* Radiosity of the ground at a point (a, b): its patch's reflectance, the direct sun there with its
-   own transmittance, the diffuse light interpolated between patches. */
-double murk_march_ground(const murk_march *march, double a, double b);
+/* Where the ray of a lane has passed half of its depth [m]; INFINITY if there is none. */
+double murk_trace_half(const murk_trace *trace, int lane, double depth);
 
 #endif

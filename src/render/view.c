@@ -49,12 +49,3 @@ murk_status murk_view_create(murk_context *context, const murk_camera *camera, m
     *out = view;
     return MURK_OK;
 }
-
-void murk_view_ray(const murk_view *view, double x, double y, double direction[3])
-{
-    double u = (2 * x / view->size[0] - 1) * view->half_width;
-    double v = (1 - 2 * y / view->size[1]) * view->half_height;
-    for (int c = 0; c < 3; c++)
-        direction[c] = view->forward[c] + u * view->right[c] + v * view->up[c];
-    normalise(direction);
-}

@@ -15,7 +15,4 @@ typedef struct murk_view {
 /* Fails for a camera without direction, a zero-size picture or a field of view outside (0, 180). */
 murk_status murk_view_create(murk_context *context, const murk_camera *camera, murk_view *out);
 
-/* Unit vector through the picture point (x, y) in pixels from the top left. */
-void murk_view_ray(const murk_view *view, double x, double y, double direction[3]);
-
 #endif

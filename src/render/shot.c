@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "shot.h"
+
+#include <string.h>
+
+/* Rays along the edge of a packet. */
+enum { EDGE = 4 };
+
+/* Rays of a packet in the world. */
+typedef struct beam {
+    double x[MURK_LANES], y[MURK_LANES]; /* in the picture, in pixels from the top left */
+    double direction[3][MURK_LANES];     /* unit vectors */
+    double t_ground[MURK_LANES];         /* where they meet it; MURK_FOREVER where they do not */
+} beam;
+
+static void set_frame(murk_shot *shot)
+{
+    const murk_grid *grid = shot->solution->medium->grid;
+    murk_grid_from_world(grid, shot->view.eye, shot->eye);
+    murk_grid_direction_from_world(grid, shot->view.right, shot->right);
+    murk_grid_direction_from_world(grid, shot->view.up, shot->up);
+    murk_grid_direction_from_world(grid, shot->view.forward, shot->forward);
+    for (int a = 0; a < 3; a++) {
+        shot->eye[a] /= grid->voxel[a];
+        shot->right[a] /= grid->voxel[a];
+        shot->up[a] /= grid->voxel[a];
+        shot->forward[a] /= grid->voxel[a];
+    }
+}
+
+murk_status murk_shot_create(murk_context *context, const murk_solution *solution,
+                             const murk_view *view, const murk_render_options *options,
+                             murk_shot *out)
+{
+    int samples = options->samples > 0 ? options->samples : 2;
+    *out = (murk_shot){.solution = solution,
+                       .view = *view,
+                       .samples = samples,
+                       .block = samples % 4 == 0   ? 1
+                                : samples % 2 == 0 ? 2
+                                                   : 4,
+                       .has_backdrop = !options->no_background};
+    set_frame(out);
+    murk_status status = murk_march_create(context, solution, &out->march);
+    if (!status)
+        status = murk_seen(context, solution->medium->grid, out->march.box, view, &out->seen);
+    if (!status && out->has_backdrop)
+        status = murk_backdrop_create(context, solution, &out->march, options->background,
+                                      &out->backdrop);
+    if (status)
+        murk_shot_clear(out);
+    return status;
+}
+
+void murk_shot_clear(murk_shot *shot)
+{
+    murk_march_clear(&shot->march);
+    murk_bins_clear(&shot->seen);
+    murk_backdrop_clear(&shot->backdrop);
+}
+
+/* The packet at column i, row j of those of a block. */
+static void aim(const murk_shot *shot, int left, int top, int i, int j, beam *rays,
+                murk_packet *packet)
+{
+    const murk_view *view = &shot->view;
+    const murk_ground *ground = shot->solution->ground;
+    double right[MURK_LANES], up[MURK_LANES], scale[MURK_LANES];
+    for (int l = 0; l < MURK_LANES; l++) {
+        rays->x[l] = left + (i * EDGE + l % EDGE + 0.5) / shot->samples;
+        rays->y[l] = top + (j * EDGE + l / EDGE + 0.5) / shot->samples;
+        double u = (2 * rays->x[l] / view->size[0] - 1) * view->half_width;
+        double v = (1 - 2 * rays->y[l] / view->size[1]) * view->half_height;
+        scale[l] = 1 / sqrt(1 + u * u + v * v);
+        right[l] = u * scale[l];
+        up[l] = v * scale[l];
+        rays->t_ground[l] = MURK_FOREVER;
+    }
+    for (int a = 0; a < 3; a++)
+        for (int l = 0; l < MURK_LANES; l++) {
+            double d =
+                scale[l] * shot->forward[a] + right[l] * shot->right[a] + up[l] * shot->up[a];
+            packet->origin[a][l] = shot->eye[a];
+            packet->direction[a][l] = murk_packet_direction(d);
+            packet->inverse[a][l] = 1 / packet->direction[a][l];
+            rays->direction[a][l] =
+                scale[l] * view->forward[a] + right[l] * view->right[a] + up[l] * view->up[a];
+        }
+    if (ground) {
+        int axis = murk_ground_axis_up(ground);
+        double above = view->eye[axis] - ground->height;
+        for (int l = 0; l < MURK_LANES; l++)
+            rays->t_ground[l] = rays->direction[axis][l] < -above / MURK_FOREVER
+                                    ? -above / rays->direction[axis][l]
+                                    : MURK_FOREVER;
+    }
+    for (int l = 0; l < MURK_LANES; l++) {
+        packet->t_max[l] = rays->t_ground[l];
+        packet->depth[l] = packet->path[l] = 0;
+        packet->tau[l] = 1;
+    }
+}
+
+static void look_behind(const murk_shot *shot, const beam *rays, const murk_packet *packet,
+                        double radiance[3][MURK_LANES])
+{
+    const murk_view *view = &shot->view;
+    const murk_ground *ground = shot->solution->ground;
+    int a = ground ? murk_ground_axis_a(ground) : 0, b = ground ? murk_ground_axis_b(ground) : 0;
+    murk_ends ends;
+    if (!shot->has_backdrop) {
+        memset(radiance, 0, 3 * sizeof *radiance);
+        return;
+    }
+    for (int l = 0; l < MURK_LANES; l++) {
+        double t = rays->t_ground[l];
+        ends.wanted[l] = packet->tau[l] >= MURK_OPAQUE;
+        ends.ground[l] = t < MURK_FOREVER;
+        ends.a[l] = view->eye[a] + t * rays->direction[a][l];
+        ends.b[l] = view->eye[b] + t * rays->direction[b][l];
+        ends.x[l] = rays->x[l] / view->size[0];
+        ends.y[l] = rays->y[l] / view->size[1];
+        for (int c = 0; c < 3; c++)
+            ends.point[c][l] = packet->origin[c][l] + t * packet->direction[c][l];
+    }
+    murk_backdrop_light(&shot->backdrop, &ends, radiance);
+}
+
+/* Adds a packet's light, seen through the medium, to the sums of its pixels. */
+static void add(const murk_shot *shot, int i, int j, const murk_packet *packet,
+                const murk_trace *trace, const double behind[3][MURK_LANES], murk_sum *sum)
+{
+    for (int l = 0; l < MURK_LANES; l++) {
+        murk_sum *to = &sum[(j * EDGE + l / EDGE) / shot->samples * MURK_BLOCK_PIXELS +
+                            (i * EDGE + l % EDGE) / shot->samples];
+        double depth = packet->depth[l], tau = depth > 0 ? exp(-depth) : 1;
+        to->transmittance += tau;
+        to->path += packet->path[l] * M_1_PI;
+        for (int c = 0; c < 3; c++)
+            to->surface[c] += tau * behind[c][l];
+        if (depth > 0) {
+            to->depth += murk_trace_half(trace, l, depth);
+            to->deep++;
+        }
+    }
+}
+
+bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace,
+                     murk_sum sum[MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS])
+{
+    size_t count;
+    const int32_t *brick =
+        murk_bins_list(&shot->seen, left / MURK_BIN_PIXELS, top / MURK_BIN_PIXELS, &count);
+    int packets = shot->block * shot->samples / EDGE;
+    memset(sum, 0, MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS * sizeof *sum);
+    for (int j = 0; j < packets; j++)
+        for (int i = 0; i < packets; i++) {
+            beam rays;
+            murk_packet packet;
+            double behind[3][MURK_LANES];
+            aim(shot, left, top, i, j, &rays, &packet);
+            if (!murk_march_light(&shot->march, brick, count, &packet, trace))
+                return false;
+            look_behind(shot, &rays, &packet, behind);
+            add(shot, i, j, &packet, trace, behind, sum);
+        }
+    return true;
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* One picture: everything that its rays need, and the light they bring. */
+#ifndef MURK_RENDER_SHOT_H
+#define MURK_RENDER_SHOT_H
+
+#include "backdrop.h"
+#include "seen.h"
+
+typedef struct murk_shot {
+    const murk_solution *solution;
+    murk_view view;
+    int samples; /* rays a pixel and axis */
+    int block;   /* pixels along the edge of a block, whose rays fill whole packets */
+    murk_march march;
+    murk_bins seen;
+    bool has_backdrop;
+    murk_backdrop backdrop;
+    /* The view in the grid frame, in voxels. */
+    double eye[3], right[3], up[3], forward[3];
+} murk_shot;
+
+/* Sums over the rays of a pixel. */
+typedef struct murk_sum {
+    double path, transmittance, surface[3];
+    double depth; /* of the rays that have one: where half of their optical depth is passed [m] */
+    int deep;     /* number of those */
+} murk_sum;
+
+/* Pixels along the edge of a block at most. */
+enum { MURK_BLOCK_PIXELS = 4 };
+
+murk_status murk_shot_create(murk_context *context, const murk_solution *solution,
+                             const murk_view *view, const murk_render_options *options,
+                             murk_shot *out);
+void murk_shot_clear(murk_shot *shot);
+
+/* The pixels of the block with the upper left pixel (left, top), rows of MURK_BLOCK_PIXELS. False
+   when memory runs out. */
+bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace,
+                     murk_sum sum[MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS]);
+
+#endif
