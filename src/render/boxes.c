@@ -23,7 +23,8 @@ static murk_box box_of(const murk_medium *medium, size_t brick)
     }
     for (int a = 0; a < 3; a++)
         box.low[a] = grid->brick[brick][a] * MURK_BRICK_EDGE - grid->lo[a];
-    box.thin = most * hypot(hypot(grid->voxel[0], grid->voxel[1]), grid->voxel[2]) < MURK_THIN;
+    box.thin = murk_depth_of(most * hypot(hypot(grid->voxel[0], grid->voxel[1]), grid->voxel[2])) <
+               MURK_DEPTH_ANY;
     return box;
 }
 

@@ -9,7 +9,7 @@
 typedef struct murk_box {
     int32_t low[3];         /* of the brick, in voxels of the grid frame */
     uint8_t from[3], to[3]; /* of the box, in voxels from there; to is exclusive */
-    bool thin;              /* no voxel has more than MURK_THIN optical depths on any ray */
+    bool thin;              /* on any ray all voxels are below MURK_DEPTH_ANY */
 } murk_box;
 
 /* One box per brick of the grid; free with murk_free(), NULL when memory runs out. */

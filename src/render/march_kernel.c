@@ -131,7 +131,7 @@ typedef struct terms {
     float phi, centre;
 } terms;
 
-/* By their series: up to MURK_THIN good to 2e-7. */
+/* By their series: good to 2e-7 below MURK_DEPTH_ANY. */
 INLINE terms thin_terms(float x)
 {
     return (terms){1 - x * (1 / 2.f - x * (1 / 6.f - x * (1 / 24.f - x * (1 / 120.f - x / 720.f)))),
