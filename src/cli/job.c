@@ -6,9 +6,28 @@
 #include <string.h>
 #include <strings.h>
 
+bool cli_failed(murk_status status)
+{
+    return status != MURK_OK && status != MURK_NOT_REACHED;
+}
+
+int cli_exit_status(murk_status status)
+{
+    switch (status) {
+    case MURK_OK:
+        return 0;
+    case MURK_ERROR_INPUT:
+        return 1;
+    case MURK_NOT_REACHED:
+        return 3;
+    default:
+        return 2;
+    }
+}
+
 murk_status cli_job_fail(struct cli_job *job, murk_status status)
 {
-    if (status != MURK_OK && status != MURK_NOT_REACHED)
+    if (cli_failed(status))
         cli_error(&job->terminal, "%s", murk_context_message(job->context));
     return status;
 }
@@ -141,14 +160,5 @@ int cli_job_end(struct cli_job *job, murk_status status)
     scene_release(&job->scene);
     scene_description_release(&job->description);
     murk_context_release(job->context);
-    switch (status) {
-    case MURK_OK:
-        return 0;
-    case MURK_ERROR_INPUT:
-        return 1;
-    case MURK_NOT_REACHED:
-        return 3;
-    default:
-        return 2;
-    }
+    return cli_exit_status(status);
 }

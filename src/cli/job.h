@@ -37,6 +37,10 @@ murk_status cli_job_render(struct cli_job *job);
 /* Releases everything; gives the exit status for what the job came to. */
 int cli_job_end(struct cli_job *job, murk_status status);
 
+/* Whether nothing came of it: MURK_NOT_REACHED delivers its result. */
+bool cli_failed(murk_status status);
+int cli_exit_status(murk_status status);
+
 /* Whether path ends in extension (".vdb"), in any case. */
 bool cli_has_extension(const char *path, const char *extension);
 

@@ -6,11 +6,6 @@
 
 #include <string.h>
 
-static bool failed(murk_status status)
-{
-    return status != MURK_OK && status != MURK_NOT_REACHED;
-}
-
 /* From the command line to a scene whose outputs can be written, as far as one can tell. */
 static murk_status prepare(struct cli_job *job, const struct cli_options *options,
                            const char *command, const char *command_line)
@@ -33,14 +28,14 @@ static murk_status aim(struct cli_job *job)
 /* Writes everything, tells what came out, and ends the job. */
 static int conclude(struct cli_job *job, murk_status status)
 {
-    if (!failed(status)) {
+    if (!cli_failed(status)) {
         murk_status written = cli_output_write(job);
         if (written == MURK_OK)
             cli_report_say(job, status);
         else
             status = written;
     }
-    if (!failed(status) && job->options->json)
+    if (!cli_failed(status) && job->options->json)
         cli_report_json(job, status);
     return cli_job_end(job, status);
 }
@@ -49,11 +44,11 @@ int cli_image(const struct cli_options *options, const char *command_line)
 {
     struct cli_job job;
     murk_status status = prepare(&job, options, "image", command_line);
-    if (!failed(status))
+    if (!cli_failed(status))
         status = aim(&job);
-    if (!failed(status))
+    if (!cli_failed(status))
         status = cli_job_solve(&job);
-    if (!failed(status)) {
+    if (!cli_failed(status)) {
         murk_status rendered = cli_job_render(&job);
         status = rendered == MURK_OK ? status : rendered;
     }
@@ -64,7 +59,7 @@ int cli_solve(const struct cli_options *options, const char *command_line)
 {
     struct cli_job job;
     murk_status status = prepare(&job, options, "solve", command_line);
-    if (!failed(status))
+    if (!cli_failed(status))
         status = cli_job_solve(&job);
     return conclude(&job, status);
 }
