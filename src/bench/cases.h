@@ -5,8 +5,17 @@
 
 #include "scenes.h"
 
-/* The paper's two media come after those of any size. */
-enum { BENCH_CASE_COUNT = 5, BENCH_FIGURE_1 = BENCH_CASE_COUNT, BENCH_PAPER_LARGE };
+/* The rows of BENCH_CASES; the paper's two media come after those of any size. */
+enum {
+    BENCH_CLOUD,
+    BENCH_BOX,
+    BENCH_PLUME,
+    BENCH_CHECKERBOARD,
+    BENCH_FILAMENTS,
+    BENCH_CASE_COUNT,
+    BENCH_FIGURE_1 = BENCH_CASE_COUNT,
+    BENCH_PAPER_LARGE
+};
 
 #define BENCH_ALBEDO 0.9 /* of all but the paper's */
 

@@ -90,6 +90,13 @@ static void say_missed(struct cli_bench *bench, const struct cli_bench_row *row)
               100 * row->solve.tolerance, 100 * row->outcome.median.estimate);
 }
 
+/* How long a row takes, roughly, next to others: for the progress bar alone. */
+static double effort(const struct cli_bench_row *row)
+{
+    return row->size * row->times * (row->truth ? 20 : 1) *
+           (row->medium == BENCH_FILAMENTS ? 10 : 1);
+}
+
 /* Measures the rows and prints each part when it is complete. */
 static murk_status measure(struct cli_bench *bench)
 {
@@ -98,12 +105,12 @@ static murk_status measure(struct cli_bench *bench)
     double done = 0, all = 0;
     bool short_of = false;
     for (size_t i = 0; i < bench->count; i++)
-        all += bench->row[i].size * bench->row[i].times;
+        all += effort(&bench->row[i]);
     for (size_t i = 0; i < bench->count && !status; i++) {
         struct cli_bench_row *row = &bench->row[i];
         cli_terminal_progress(&bench->terminal, "bench", done / all);
         status = measure_row(bench, row, &media);
-        done += row->size * row->times;
+        done += effort(row);
         if (status)
             break;
         if (missed(row)) {

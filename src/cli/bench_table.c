@@ -49,11 +49,11 @@ static void add_growth(struct cli_columns *cells, const struct cli_bench_row *ro
     cli_columns_number(cells, 3, r->iterations);
     cli_columns_number(cells, 3, r->sweeps);
     cli_columns_number(cells, 2, 100 * r->estimate);
-    cli_columns_number(cells, 2, r->seconds_setup);
-    cli_columns_number(cells, 2, r->seconds_light);
-    cli_columns_number(cells, 2, r->seconds_solve);
-    cli_columns_number(cells, 2, r->seconds_finish);
-    cli_columns_number(cells, 3, r->seconds);
+    cli_columns_seconds(cells, r->seconds_setup);
+    cli_columns_seconds(cells, r->seconds_light);
+    cli_columns_seconds(cells, r->seconds_solve);
+    cli_columns_seconds(cells, r->seconds_finish);
+    cli_columns_seconds(cells, r->seconds);
     cli_columns_number(cells, 3, r->bytes_per_zone);
     cli_columns_number(cells, 3, r->ns_per_crossing);
 }
@@ -61,7 +61,7 @@ static void add_growth(struct cli_columns *cells, const struct cli_bench_row *ro
 static void add_growth_render(struct cli_columns *cells, const struct cli_bench_row *row)
 {
     add_growth(cells, row);
-    cli_columns_number(cells, 2, row->outcome.median.seconds_render);
+    cli_columns_seconds(cells, row->outcome.median.seconds_render);
 }
 
 /* One line for each medium that was measured at several sizes. */
@@ -70,7 +70,7 @@ static void print_fits(const struct cli_bench *bench)
     for (int medium = 0; medium < BENCH_CASE_COUNT; medium++) {
         struct cli_bench_fit fit;
         if (cli_bench_fit(bench, medium, &fit))
-            printf("  %s: time ~ N^%.2f, memory ~ N^%.2f\n", BENCH_CASES[medium].name, fit.time,
+            printf("%s: time ~ N^%.2f, memory ~ N^%.2f\n", BENCH_CASES[medium].name, fit.time,
                    fit.memory);
     }
 }
@@ -88,7 +88,7 @@ static void add_emptiness(struct cli_columns *cells, const struct cli_bench_row 
     cli_columns_number(cells, 3, r->zones);
     cli_columns_number(cells, 3, r->bricks);
     cli_columns_number(cells, 3, r->directions);
-    cli_columns_number(cells, 3, r->seconds);
+    cli_columns_seconds(cells, r->seconds);
     cli_columns_number(cells, 3, megabytes(r));
 }
 
@@ -101,8 +101,8 @@ static void add_threads(struct cli_columns *cells, const struct cli_bench_row *r
     cli_columns_add(cells, "%s", name_of(row));
     cli_columns_number(cells, 3, r->zones);
     cli_columns_number(cells, 3, r->threads);
-    cli_columns_number(cells, 3, r->seconds_solve);
-    cli_columns_number(cells, 3, r->seconds);
+    cli_columns_seconds(cells, r->seconds_solve);
+    cli_columns_seconds(cells, r->seconds);
     cli_columns_number(cells, 3, r->ns_per_crossing);
 }
 
@@ -122,7 +122,7 @@ static void add_error(struct cli_columns *cells, const struct cli_bench_row *row
     cli_columns_number(cells, 2, 100 * r->error_95);
     cli_columns_number(cells, 3, r->directions > 0 ? r->directions : NAN);
     cli_columns_number(cells, 3, r->iterations);
-    cli_columns_number(cells, 3, r->seconds);
+    cli_columns_seconds(cells, r->seconds);
 }
 
 static const char *const PAPER[] = {"",      "method", "eq. (18), (19)", "iter", "setup",
@@ -140,9 +140,9 @@ static void add_paper(struct cli_columns *cells, const struct cli_bench_row *row
     cli_columns_add(cells, "%s", cli_bench_method(row));
     cli_columns_add(cells, "%.2g", r->multiplications);
     cli_columns_number(cells, 3, r->iterations);
-    cli_columns_number(cells, 2, r->seconds_setup);
-    cli_columns_number(cells, 2, r->seconds_solve);
-    cli_columns_number(cells, 2, r->seconds);
+    cli_columns_seconds(cells, r->seconds_setup);
+    cli_columns_seconds(cells, r->seconds_solve);
+    cli_columns_seconds(cells, r->seconds);
     cli_columns_add(cells, "%s", row->then ? row->then : "");
 }
 
@@ -156,10 +156,9 @@ static void print_ratio(const struct cli_bench *bench, enum cli_bench_part part)
             first = first ? first : last;
         }
     if (part == CLI_BENCH_THREADS)
-        printf("  %.3g threads: %.2f times as fast\n", last->threads,
-               first->seconds / last->seconds);
+        printf("%.3g threads: %.2f times as fast\n", last->threads, first->seconds / last->seconds);
     else
-        printf("  8 times the volume: time %+.1f %%, memory %+.1f %%\n",
+        printf("8 times the volume: time %+.1f %%, memory %+.1f %%\n",
                100 * (last->seconds / first->seconds - 1),
                100 * (last->peak_bytes / first->peak_bytes - 1));
 }
@@ -193,7 +192,7 @@ static struct layout layout_of(const struct cli_bench *bench, enum cli_bench_par
 void cli_bench_table(const struct cli_bench *bench, enum cli_bench_part part)
 {
     const struct layout layout = layout_of(bench, part);
-    struct cli_columns cells = {.left = layout.left};
+    struct cli_columns cells = {.gap = part == CLI_BENCH_GROWTH ? 1 : 2, .left = layout.left};
     while (layout.head[cells.columns])
         cells.columns++;
     for (int c = 0; c < cells.columns; c++)
@@ -204,7 +203,7 @@ void cli_bench_table(const struct cli_bench *bench, enum cli_bench_part part)
         if (bench->row[i].part == part)
             layout.add(&cells, &bench->row[i]);
     printf("%s\n", layout.title);
-    cli_columns_print(&cells, 2);
+    cli_columns_print(&cells);
     if (part == CLI_BENCH_GROWTH)
         print_fits(bench);
     if (part == CLI_BENCH_EMPTINESS || part == CLI_BENCH_THREADS)

@@ -6,9 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Between two columns. */
-enum { GAP = 2 };
-
 static bool grow(struct cli_columns *columns)
 {
     size_t capacity = columns->capacity ? 2 * columns->capacity : 64;
@@ -42,6 +39,14 @@ void cli_columns_number(struct cli_columns *columns, int digits, double number)
         cli_columns_add(columns, "%.*g", digits, number);
 }
 
+void cli_columns_seconds(struct cli_columns *columns, double seconds)
+{
+    if (isnan(seconds))
+        cli_columns_add(columns, "-");
+    else
+        cli_columns_add(columns, "%.*f", seconds < 10 ? 3 : seconds < 100 ? 2 : 1, seconds);
+}
+
 static void print_cell(const char *text, bool left, int width, bool last)
 {
     if (!left)
@@ -52,7 +57,7 @@ static void print_cell(const char *text, bool left, int width, bool last)
         printf("%-*s", width, text);
 }
 
-murk_status cli_columns_print(struct cli_columns *columns, int indent)
+murk_status cli_columns_print(struct cli_columns *columns)
 {
     murk_status status = columns->failed ? MURK_ERROR_MEMORY : MURK_OK;
     int *width = calloc((size_t)columns->columns, sizeof *width);
@@ -65,7 +70,7 @@ murk_status cli_columns_print(struct cli_columns *columns, int indent)
     for (size_t i = 0; !status && i < columns->count; i++) {
         int c = (int)(i % (size_t)columns->columns);
         bool last = c + 1 == columns->columns;
-        printf("%*s", c == 0 ? indent : GAP, "");
+        printf("%*s", c == 0 ? 0 : columns->gap, "");
         print_cell(columns->cell[i], columns->left >> c & 1, width[c], last);
         if (last)
             putchar('\n');

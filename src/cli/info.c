@@ -83,7 +83,7 @@ static murk_status print_table(const murk_volume *volume, const char *path,
         "grid", "type",           "class",  "active voxels",
         "box",  "voxel size [m]", "values", "depth at scale 1"};
     size_t count = murk_volume_grid_count(volume);
-    struct cli_columns rows = {.columns = COLUMNS, .left = ~0u};
+    struct cli_columns rows = {.columns = COLUMNS, .gap = 2, .left = ~0u};
     murk_grid_info grid;
     for (int c = 0; c < COLUMNS; c++)
         cli_columns_add(&rows, "%s", HEAD[c]);
@@ -91,7 +91,7 @@ static murk_status print_table(const murk_volume *volume, const char *path,
         if (murk_volume_grid_info(volume, i, &grid) == MURK_OK)
             add_row(&rows, &grid);
     printf("%s: %zu grid%s\n", path, count, count == 1 ? "" : "s");
-    murk_status status = cli_columns_print(&rows, 0);
+    murk_status status = cli_columns_print(&rows);
     if (status == MURK_OK) {
         for (size_t i = 0; i < count; i++)
             if (murk_volume_grid_info(volume, i, &grid) == MURK_OK)

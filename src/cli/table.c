@@ -67,15 +67,15 @@ static const struct cli_option TABLE[] = {
 
     {"parts", 0, CLI_BENCH, BENCH, "LIST",
      "what to measure, out of growth (with the number of voxels), emptiness (the same medium in a "
-     "box 8 times as large), threads, error (against run time) and paper (the cases of 1991); all "
-     "of it",
+     "box 8 times as large), threads, error (after run time; filaments only where --cases names "
+     "them) and paper (the cases of 1991); all of it",
      .value = cli_value_set, FIELD(parts), .choices = CLI_BENCH_PARTS},
     {"cases", 0, CLI_BENCH, BENCH, "LIST",
      "media, out of cloud, box, plume, checkerboard and filaments; emptiness and threads are "
      "measured on the first of them",
      .value = cli_value_set, FIELD(cases), .choices = BENCH_CASE_NAMES},
     {"sizes", 0, CLI_BENCH, BENCH, "LIST",
-     "active voxels, such as 1e4,1e6,1e7; not given: 1e4 to 1e6 for the cloud, to 1e5 for others",
+     "active voxels, such as 1e4,1e6,1e7; not given: 1e4 to 1e6 for the cloud, less for others",
      .value = cli_value_list, FIELD(sizes),
      WHOLE(100, 1e8, "numbers from 100 to 1e8 such as 1e4,1e6")},
     {"runs", 0, CLI_BENCH, BENCH, "N", "what is printed are medians of N runs (3)",
