@@ -143,8 +143,12 @@ static void find_processor(char out[128])
 
 static void print_heading(const struct cli_bench *bench)
 {
-    printf("murk %s on %s, %ld processors; medians of %d runs\n\n", MURK_VERSION, bench->processor,
-           sysconf(_SC_NPROCESSORS_ONLN), bench->options->runs);
+    printf("murk %s on %s, %ld processors; ", MURK_VERSION, bench->processor,
+           sysconf(_SC_NPROCESSORS_ONLN));
+    if (bench->options->runs > 1)
+        printf("medians of %d runs\n\n", bench->options->runs);
+    else
+        printf("single runs\n\n");
 }
 
 static murk_status check_output(struct cli_bench *bench)

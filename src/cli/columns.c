@@ -70,8 +70,10 @@ murk_status cli_columns_print(struct cli_columns *columns)
     for (size_t i = 0; !status && i < columns->count; i++) {
         int c = (int)(i % (size_t)columns->columns);
         bool last = c + 1 == columns->columns;
-        printf("%*s", c == 0 ? 0 : columns->gap, "");
-        print_cell(columns->cell[i], columns->left >> c & 1, width[c], last);
+        if (*columns->cell[i] || !last) {
+            printf("%*s", c == 0 ? 0 : columns->gap, "");
+            print_cell(columns->cell[i], columns->left >> c & 1, width[c], last);
+        }
         if (last)
             putchar('\n');
     }
