@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 /* The largest media for emptiness and threads, for errors, and for pairwise exchange. */
-static const double MIDDLE = 1e5, SMALL = 1e4, PAIRWISE = 2e3;
+static const double MIDDLE = 1e5, SMALL = 1e4, PAIRWISE = 1e3;
 
 /* The solution that errors are taken against. */
 enum { TRUE_DIRECTIONS = 3072, TRUE_RAYS = 2 };
