@@ -201,6 +201,25 @@ typedef struct murk_array {
 /** Builds a medium from arrays in memory. Fails like murk_medium_from_volume(). */
 MURK_API murk_status murk_medium_from_array(murk_context *context, const murk_array *array,
                                             murk_medium **out);
+
+/** Bricks of 8 x 8 x 8 voxels for murk_medium_from_bricks(), in any order; what they do not cover
+ *  is empty. Arrays are copied. Those of values have 512 a brick, the last index (z) fastest: the
+ *  voxel (8*x + i, 8*y + j, 8*z + k) of the brick at (x, y, z) is value 64*i + 8*j + k of it. */
+typedef struct murk_brick_array {
+    size_t count;
+    const int32_t *brick;  /**< 3 * count: x, y, z */
+    double voxel_size[3];  /**< m */
+    double origin[3];      /**< world position of the low corner of voxel (0, 0, 0) [m] */
+    const float *kappa_t;  /**< 1/m; 0: not an active voxel */
+    const float *albedo;   /**< NULL: albedo_value */
+    const float *emission; /**< W/m^2; NULL: emission_value */
+    double albedo_value, emission_value;
+} murk_brick_array;
+
+/** Builds a medium from bricks in memory: the way in for sparse media of other programs. Fails like
+ *  murk_medium_from_volume(), and where a brick is there twice. */
+MURK_API murk_status murk_medium_from_bricks(murk_context *context, const murk_brick_array *bricks,
+                                             murk_medium **out);
 MURK_API void murk_medium_release(murk_medium *medium);
 
 typedef struct murk_medium_info {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "info.h"
 
+#include "columns.h"
 #include "job.h"
 #include "report.h"
 
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 8, CELL = 96 };
+enum { COLUMNS = 8 };
 
 /* What murk makes of the file at the options given. */
 struct verdict {
@@ -23,43 +24,28 @@ static bool is_empty(const murk_grid_info *grid)
     return grid->active_voxels == 0;
 }
 
-static void fill_row(const murk_grid_info *grid, char row[COLUMNS][CELL])
+static void add_row(struct cli_columns *rows, const murk_grid_info *grid)
 {
     const int32_t *lo = grid->box_min, *hi = grid->box_max;
     const double *size = grid->voxel_size;
-    snprintf(row[0], CELL, "%s", grid->name);
-    snprintf(row[1], CELL, "%s", grid->type);
-    snprintf(row[2], CELL, "%s", grid->grid_class);
-    snprintf(row[3], CELL, "%llu", (unsigned long long)grid->active_voxels);
+    cli_columns_add(rows, "%s", grid->name);
+    cli_columns_add(rows, "%s", grid->type);
+    cli_columns_add(rows, "%s", grid->grid_class);
+    cli_columns_add(rows, "%llu", (unsigned long long)grid->active_voxels);
     if (is_empty(grid))
-        snprintf(row[4], CELL, "empty");
+        cli_columns_add(rows, "empty");
     else
-        snprintf(row[4], CELL, "[%d %d %d]..[%d %d %d]", lo[0], lo[1], lo[2], hi[0], hi[1], hi[2]);
+        cli_columns_add(rows, "[%d %d %d]..[%d %d %d]", lo[0], lo[1], lo[2], hi[0], hi[1], hi[2]);
     if (size[0] == size[1] && size[1] == size[2])
-        snprintf(row[5], CELL, "%.6g", size[0]);
+        cli_columns_add(rows, "%.6g", size[0]);
     else
-        snprintf(row[5], CELL, "%.6g x %.6g x %.6g", size[0], size[1], size[2]);
+        cli_columns_add(rows, "%.6g x %.6g x %.6g", size[0], size[1], size[2]);
     if (grid->readable) {
-        snprintf(row[6], CELL, "%.4g..%.4g", grid->value_min, grid->value_max);
-        snprintf(row[7], CELL, "%.4g mean, %.4g max", grid->mean_depth, grid->max_depth);
+        cli_columns_add(rows, "%.4g..%.4g", grid->value_min, grid->value_max);
+        cli_columns_add(rows, "%.4g mean, %.4g max", grid->mean_depth, grid->max_depth);
     } else {
-        snprintf(row[6], CELL, "-");
-        snprintf(row[7], CELL, "-");
-    }
-}
-
-static void print_rows(char (*rows)[COLUMNS][CELL], size_t count)
-{
-    int width[COLUMNS] = {0};
-    for (size_t r = 0; r < count; r++)
-        for (int c = 0; c < COLUMNS; c++) {
-            int length = (int)strlen(rows[r][c]);
-            width[c] = length > width[c] ? length : width[c];
-        }
-    for (size_t r = 0; r < count; r++) {
-        for (int c = 0; c < COLUMNS - 1; c++)
-            printf("%-*s  ", width[c], rows[r][c]);
-        printf("%s\n", rows[r][COLUMNS - 1]);
+        cli_columns_add(rows, "-");
+        cli_columns_add(rows, "-");
     }
 }
 
@@ -97,25 +83,21 @@ static murk_status print_table(const murk_volume *volume, const char *path,
         "grid", "type",           "class",  "active voxels",
         "box",  "voxel size [m]", "values", "depth at scale 1"};
     size_t count = murk_volume_grid_count(volume);
-    char(*rows)[COLUMNS][CELL] = calloc(count + 1, sizeof *rows);
+    struct cli_columns rows = {.columns = COLUMNS, .gap = 2, .left = ~0u};
     murk_grid_info grid;
-    murk_status status = rows ? MURK_OK : MURK_ERROR_MEMORY;
-    for (int c = 0; c < COLUMNS && rows; c++)
-        snprintf(rows[0][c], CELL, "%s", HEAD[c]);
-    for (size_t i = 0; i < count && status == MURK_OK; i++) {
-        status = murk_volume_grid_info(volume, i, &grid);
-        if (status == MURK_OK)
-            fill_row(&grid, rows[i + 1]);
-    }
+    for (int c = 0; c < COLUMNS; c++)
+        cli_columns_add(&rows, "%s", HEAD[c]);
+    for (size_t i = 0; i < count; i++)
+        if (murk_volume_grid_info(volume, i, &grid) == MURK_OK)
+            add_row(&rows, &grid);
+    printf("%s: %zu grid%s\n", path, count, count == 1 ? "" : "s");
+    murk_status status = cli_columns_print(&rows);
     if (status == MURK_OK) {
-        printf("%s: %zu grid%s\n", path, count, count == 1 ? "" : "s");
-        print_rows(rows, count + 1);
         for (size_t i = 0; i < count; i++)
             if (murk_volume_grid_info(volume, i, &grid) == MURK_OK)
                 print_remarks(&grid);
         print_verdict(verdict);
     }
-    free(rows);
     return status;
 }
 

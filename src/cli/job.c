@@ -13,6 +13,20 @@ bool cli_job_failed(murk_status status)
     return status != MURK_OK && status != MURK_NOT_REACHED;
 }
 
+int cli_exit_status(murk_status status)
+{
+    switch (status) {
+    case MURK_OK:
+        return 0;
+    case MURK_ERROR_INPUT:
+        return 1;
+    case MURK_NOT_REACHED:
+        return 3;
+    default:
+        return 2;
+    }
+}
+
 murk_status cli_job_fail(struct cli_job *job, murk_status status)
 {
     if (cli_job_failed(status))
@@ -207,14 +221,5 @@ int cli_job_end(struct cli_job *job, murk_status status)
     cli_job_next(job, status);
     murk_solution_release(job->start);
     murk_context_release(job->context);
-    switch (status) {
-    case MURK_OK:
-        return 0;
-    case MURK_ERROR_INPUT:
-        return 1;
-    case MURK_NOT_REACHED:
-        return 3;
-    default:
-        return 2;
-    }
+    return cli_exit_status(status);
 }

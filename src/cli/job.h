@@ -47,8 +47,9 @@ void cli_job_next(struct cli_job *job, murk_status status);
 /* Releases everything; gives the exit status for what the job came to. */
 int cli_job_end(struct cli_job *job, murk_status status);
 
-/* Whether a status leaves nothing to be written. */
+/* Whether nothing came of it: MURK_NOT_REACHED delivers its result. */
 bool cli_job_failed(murk_status status);
+int cli_exit_status(murk_status status);
 
 /* Whether path ends in extension (".vdb"), in any case. */
 bool cli_has_extension(const char *path, const char *extension);

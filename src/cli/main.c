@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* murk's command line: finds the command and hands over. */
+#include "bench.h"
 #include "help.h"
 #include "info.h"
 #include "nearest.h"
@@ -17,6 +18,8 @@ static const struct cli_command_info COMMANDS[] = {
      "Renders another view of a solution; nothing is solved again.", cli_render},
     {CLI_INFO, "info", "info INPUT [OPTION]...",
      "Tells what is in a file, and what murk would take it for.", cli_info},
+    {CLI_BENCH, "bench", "bench [-o FILE.png] [OPTION]...",
+     "Measures run time, memory and error on media made in memory.", cli_bench},
 };
 enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
 

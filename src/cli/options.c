@@ -108,6 +108,7 @@ static void set_defaults(struct cli_options *options)
         .target = {NAN, NAN, NAN},
         .fov = NAN,
         .exposure = NAN,
+        .runs = 3,
         .kernel = -1,
     };
 }
@@ -125,6 +126,9 @@ bool cli_options_parse(enum cli_command command, const char *command_name, int c
         } else if (!only_input && argument[0] == '-' && argument[1]) {
             if (!parse_option(&parser, count, arguments, &at, out))
                 return false;
+        } else if (!(command & CLI_INPUT)) {
+            snprintf(message, size, "%s: takes no INPUT such as \"%s\"", command_name, argument);
+            return false;
         } else if (out->input) {
             snprintf(message, size, "%s: takes one INPUT, and \"%s\" is a second", command_name,
                      argument);
@@ -133,7 +137,7 @@ bool cli_options_parse(enum cli_command command, const char *command_name, int c
             out->input = argument;
         }
     }
-    if (!out->input && !out->help) {
+    if ((command & CLI_INPUT) && !out->input && !out->help) {
         snprintf(message, size, "%s: needs an INPUT: a .vdb or .json file, or -", command_name);
         return false;
     }

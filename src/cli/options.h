@@ -11,7 +11,26 @@ enum cli_command {
     CLI_SOLVE = 2,
     CLI_RENDER = 4,
     CLI_INFO = 8,
-    CLI_ALL = CLI_IMAGE | CLI_SOLVE | CLI_RENDER | CLI_INFO
+    CLI_BENCH = 16,
+    CLI_INPUT = CLI_IMAGE | CLI_SOLVE | CLI_RENDER | CLI_INFO, /* those that take an INPUT */
+    CLI_ALL = CLI_INPUT | CLI_BENCH
+};
+
+/* What murk bench measures, as bits. */
+enum cli_bench_part {
+    CLI_BENCH_GROWTH = 1,
+    CLI_BENCH_EMPTINESS = 2,
+    CLI_BENCH_THREADS = 4,
+    CLI_BENCH_ERROR = 8,
+    CLI_BENCH_PAPER = 16
+};
+
+enum { CLI_LIST_MOST = 16 };
+
+/* Numbers in ascending order. */
+struct cli_list {
+    int count;
+    double value[CLI_LIST_MOST];
 };
 
 /* Numbers that are not given are NaN, sizes 0, texts NULL, choices -1. */
@@ -37,6 +56,11 @@ struct cli_options {
     double exposure;
 
     bool half, emission_coefficient, extinction_grid, albedo_grid;
+
+    unsigned parts, cases; /* bits; 0: not given */
+    struct cli_list sizes;
+    int runs;
+    bool time_render;
 
     int threads, kernel;
     bool json, quiet, verbose, help;
@@ -64,7 +88,7 @@ struct cli_option {
 const struct cli_option *cli_option_table(size_t *count);
 
 /* The choices of the options named after them. */
-extern const char *const CLI_KERNELS[];
+extern const char *const CLI_KERNELS[], *const CLI_BENCH_PARTS[];
 
 /* Reads the arguments after the command's name. False with the one line in message (of size
    bytes) where they are wrong. */

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
+#include "cases.h"
 #include "options.h"
 #include "values.h"
 
@@ -8,6 +9,7 @@ static const char *const METHODS[] = {"lines", "pairwise", NULL};
 static const char *const SOLVERS[] = {"cg", "gauss-seidel", NULL};
 static const char *const VOXELS[] = {"center", "corner", NULL};
 static const char *const UPS[] = {"z", "y", NULL};
+const char *const CLI_BENCH_PARTS[] = {"growth", "emptiness", "threads", "error", "paper", NULL};
 const char *const CLI_KERNELS[] = {"avx512", "avx2", "portable", NULL};
 
 enum {
@@ -20,6 +22,7 @@ static const char OUTPUT[] = "Output";
 static const char SEQUENCE[] = "Sequence (#### or %04d or $F4 in the names of files)";
 static const char MEDIUM[] = "Medium (these go before what a scene file says)";
 static const char SOLVE[] = "Solution";
+static const char BENCH[] = "Benchmark";
 static const char CAMERA[] = "Camera and picture";
 static const char GRIDS[] = "Grids of the radiosity VDB";
 static const char GENERAL[] = "General";
@@ -44,6 +47,8 @@ static const struct cli_option TABLE[] = {
     {"ground-radiosity", 0, SOLVING, OUTPUT, "FILE",
      "the radiosity of the ground patches [W/m^2] as .exr, one pixel a patch",
      TEXT(ground_radiosity)},
+    {"output", 'o', CLI_BENCH, OUTPUT, "FILE", "a plot of what was measured, such as .png",
+     TEXT(output)},
     {"json", 0, CLI_ALL, OUTPUT, NULL, "print the report as JSON on standard output", FLAG(json)},
 
     {"frames", 0, WORKING, SEQUENCE, "LIST",
@@ -54,25 +59,43 @@ static const struct cli_option TABLE[] = {
     {"resume", 0, WORKING, SEQUENCE, NULL,
      "skip frames whose outputs are there and newer than their inputs", FLAG(resume)},
 
-    {"grid", 0, CLI_ALL, MEDIUM, "NAME", "the grid to take the extinction from", TEXT(grid)},
-    {"scale", 0, CLI_ALL, MEDIUM, "S",
+    {"grid", 0, CLI_INPUT, MEDIUM, "NAME", "the grid to take the extinction from", TEXT(grid)},
+    {"scale", 0, CLI_INPUT, MEDIUM, "S",
      "extinction [1/m] = S times the grid's value; not given: such that the deepest column has "
      "about 5 optical depths",
      .value = cli_value_number, FIELD(scale), POSITIVE},
-    {"albedo", 0, CLI_ALL, MEDIUM, "A", "single-scattering albedo: a number or a grid's name",
+    {"albedo", 0, CLI_INPUT, MEDIUM, "A", "single-scattering albedo: a number or a grid's name",
      TEXT(albedo)},
-    {"voxel-size", 0, CLI_ALL, MEDIUM, "D", "edge of a voxel [m], where the file's is wrong",
+    {"voxel-size", 0, CLI_INPUT, MEDIUM, "D", "edge of a voxel [m], where the file's is wrong",
      .value = cli_value_number, FIELD(voxel_size), POSITIVE},
-    {"voxels", 0, CLI_ALL, MEDIUM, "WHERE", "what a voxel's index is: its center or its corner",
+    {"voxels", 0, CLI_INPUT, MEDIUM, "WHERE", "what a voxel's index is: its center or its corner",
      CHOICE(voxels, VOXELS)},
-    {"up", 0, CLI_ALL & ~CLI_INFO, MEDIUM, "AXIS", "the axis that points up: z or y",
+    {"up", 0, PICTURE | CLI_SOLVE, MEDIUM, "AXIS", "the axis that points up: z or y",
      CHOICE(up, UPS)},
-    {"strict", 0, CLI_ALL, MEDIUM, NULL, "NaN, infinite and negative values are an error",
+    {"strict", 0, CLI_INPUT, MEDIUM, NULL, "NaN, infinite and negative values are an error",
      FLAG(strict)},
 
-    {"tolerance", 0, SOLVING, SOLVE, "T", "relative error asked for: 1% (the default) or 0.01",
-     .value = cli_value_percent, FIELD(solve.tolerance),
-     .expected = "between 0 and 100 %; write 1% or 0.01"},
+    {"parts", 0, CLI_BENCH, BENCH, "LIST",
+     "what to measure, out of growth (with the number of voxels), emptiness (the same medium in a "
+     "box 8 times as large), threads, error (after run time; filaments only where --cases names "
+     "them) and paper (the cases of 1991); all of it",
+     .value = cli_value_set, FIELD(parts), .choices = CLI_BENCH_PARTS},
+    {"cases", 0, CLI_BENCH, BENCH, "LIST",
+     "media, out of cloud, box, plume, checkerboard and filaments; emptiness and threads are "
+     "measured on the first of them",
+     .value = cli_value_set, FIELD(cases), .choices = BENCH_CASE_NAMES},
+    {"sizes", 0, CLI_BENCH, BENCH, "LIST",
+     "active voxels, such as 1e4,1e6,1e7; not given: 1e4 to 1e6 for the cloud, less for others",
+     .value = cli_value_list, FIELD(sizes),
+     WHOLE(100, 1e8, "numbers from 100 to 1e8 such as 1e4,1e6")},
+    {"runs", 0, CLI_BENCH, BENCH, "N", "what is printed are medians of N runs (3)",
+     .value = cli_value_count, FIELD(runs), WHOLE(1, 1000, "a whole number from 1 to 1000")},
+    {"render", 0, CLI_BENCH, BENCH, NULL, "time the picture too, 1920x1080 pixels",
+     FLAG(time_render)},
+
+    {"tolerance", 0, SOLVING | CLI_BENCH, SOLVE, "T",
+     "relative error asked for: 1% (the default) or 0.01", .value = cli_value_percent,
+     FIELD(solve.tolerance), .expected = "between 0 and 100 %; write 1% or 0.01"},
     {"method", 0, SOLVING, SOLVE, "M", "lines (the default) or pairwise (small media)",
      CHOICE(method, METHODS)},
     {"solver", 0, SOLVING, SOLVE, "S", "cg (the default) or gauss-seidel (pairwise only)",
@@ -116,7 +139,7 @@ static const struct cli_option TABLE[] = {
 
     {"threads", 0, CLI_ALL, GENERAL, "N", "threads (all processors)", .value = cli_value_count,
      FIELD(threads), WHOLE(1, 4096, "a whole number from 1 to 4096")},
-    {"kernel", 0, WORKING, GENERAL, "K",
+    {"kernel", 0, CLI_ALL & ~CLI_INFO, GENERAL, "K",
      "avx512, avx2 or portable; the fastest that this processor has", CHOICE(kernel, CLI_KERNELS)},
     {"quiet", 'q', CLI_ALL, GENERAL, NULL, "print errors only", FLAG(quiet)},
     {"verbose", 'v', CLI_ALL, GENERAL, NULL, "tell more", FLAG(verbose)},

@@ -114,6 +114,46 @@ bool cli_value_window(const char *text, void *field, const struct cli_option *op
     return whole_numbers(text, 3, field, option);
 }
 
+bool cli_value_list(const char *text, void *field, const struct cli_option *option)
+{
+    struct cli_list list = {0};
+    for (double value; list.count < CLI_LIST_MOST && number_at(&text, &value);) {
+        int at = list.count++;
+        for (; at > 0 && list.value[at - 1] > value; at--)
+            list.value[at] = list.value[at - 1];
+        list.value[at] = value;
+        if (!in_range(value, option))
+            return false;
+        if (*text == '\0') {
+            *(struct cli_list *)field = list;
+            return true;
+        }
+        if (*text++ != ',')
+            return false;
+    }
+    return false;
+}
+
+bool cli_value_set(const char *text, void *field, const struct cli_option *option)
+{
+    unsigned bits = 0;
+    for (;; text++) {
+        size_t length = strcspn(text, ",");
+        int i = 0;
+        while (option->choices[i] &&
+               (strlen(option->choices[i]) != length || strncmp(option->choices[i], text, length)))
+            i++;
+        if (!option->choices[i])
+            return false;
+        bits |= 1u << i;
+        text += length;
+        if (*text == '\0')
+            break;
+    }
+    *(unsigned *)field = bits;
+    return true;
+}
+
 bool cli_value_choice(const char *text, void *field, const struct cli_option *option)
 {
     for (int i = 0; option->choices[i]; i++)

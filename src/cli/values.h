@@ -13,6 +13,8 @@ cli_value_fn cli_value_count;   /* int in [min, max] */
 cli_value_fn cli_value_vector;  /* double[3]: "1,2,3" */
 cli_value_fn cli_value_size;    /* int[2]: "640x480", each in [min, max] */
 cli_value_fn cli_value_window;  /* int[3]: "10x10x4" */
+cli_value_fn cli_value_list;    /* struct cli_list, each in [min, max]: "1e4,1e5" */
+cli_value_fn cli_value_set;     /* unsigned: bits of the choices named: "growth,error" */
 cli_value_fn cli_value_choice;  /* int: which of the choices */
 
 #endif

@@ -5,6 +5,15 @@
 
 #include <string.h>
 
+void murk_bricks_place(murk_bricks *bricks, const double voxel_size[3], const double origin[3])
+{
+    for (int a = 0; a < 3; a++) {
+        bricks->index_to_world[5 * a] = voxel_size[a];
+        bricks->index_to_world[4 * a + 3] = origin[a] + 0.5 * voxel_size[a];
+    }
+    bricks->index_to_world[15] = 1;
+}
+
 void murk_bricks_clear(murk_bricks *bricks)
 {
     murk_free(bricks->brick);

@@ -27,6 +27,10 @@ typedef struct murk_bricks {
     double index_to_world[16];
 } murk_bricks;
 
+/* Sets index_to_world for voxels along the axes of the world; origin is the low corner of voxel
+   (0, 0, 0). */
+void murk_bricks_place(murk_bricks *bricks, const double voxel_size[3], const double origin[3]);
+
 /* Frees the arrays (each from murk_alloc) and clears the struct. */
 void murk_bricks_clear(murk_bricks *bricks);
 

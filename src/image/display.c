@@ -23,12 +23,22 @@ static void display_channels(const murk_image *image, int channel[3])
     channel[0] = channel[1] = channel[2] = single >= 0 ? single : 0;
 }
 
-static uint8_t display_byte(double light)
+double murk_display_value(double light)
 {
     if (!(light > 0.0))
-        return 0;
+        return 0.0;
     double value = light <= 0.0031308 ? 12.92 * light : 1.055 * pow(light, 1.0 / 2.4) - 0.055;
-    return (uint8_t)(fmin(value, 1.0) * 255.0 + 0.5);
+    return fmin(value, 1.0);
+}
+
+double murk_display_linear(double value)
+{
+    return value <= 0.04045 ? value / 12.92 : pow((value + 0.055) / 1.055, 2.4);
+}
+
+static uint8_t display_byte(double light)
+{
+    return (uint8_t)(murk_display_value(light) * 255.0 + 0.5);
 }
 
 void murk_display_encode(const murk_image *image, double exposure, uint8_t *rgb)

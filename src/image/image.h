@@ -29,6 +29,10 @@ int murk_image_channel(const murk_image *image, const char *name);
    clipped, on the sRGB curve; values that are not finite become 0. */
 void murk_display_encode(const murk_image *image, double exposure, uint8_t *rgb);
 
+/* The sRGB curve between linear light and what a display is told, both in [0, 1]. */
+double murk_display_value(double light);
+double murk_display_linear(double value);
+
 /* The exposure in stops that brings the 99th percentile of the luminance, over the pixels that have
    any, to the display value 0.9; 0 for a black image. Depends on the pixels alone. */
 double murk_display_exposure(const murk_image *image);
@@ -50,6 +54,21 @@ murk_status murk_oiio_read(murk_context *context, const char *path,
 murk_status murk_oiio_encode(murk_context *context, const char *path,
                              const murk_oiio_pixels *pixels, void **bytes,
                              size_t *size) MURK_IMAGE_NOEXCEPT;
+
+/* The pixels that a line of text covers; top is that of the first row, negative above the line that
+   the text stands on. */
+typedef struct murk_oiio_box {
+    int width, height, top;
+} murk_oiio_box;
+
+/* False where the font file cannot be used. */
+bool murk_oiio_text_box(const char *font, const char *text, int size,
+                        murk_oiio_box *out) MURK_IMAGE_NOEXCEPT;
+
+/* The part of each pixel of the box that the text covers, from malloc. */
+murk_status murk_oiio_text_cover(murk_context *context, const char *font, const char *text,
+                                 int size, const murk_oiio_box *box,
+                                 float **out) MURK_IMAGE_NOEXCEPT;
 
 #ifdef __cplusplus
 }

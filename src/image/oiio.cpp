@@ -5,6 +5,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -45,11 +46,6 @@ std::string one_line(std::string text)
     return text.empty() ? "unknown reason" : text;
 }
 
-float linear_from_srgb(float value)
-{
-    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-}
-
 // Whole numbers are on a display's curve, whether the file says so or not. They come unassociated,
 // so that the curve acts on the colour itself.
 void make_linear(const OIIO::ImageSpec &spec, murk_image &image)
@@ -63,7 +59,7 @@ void make_linear(const OIIO::ImageSpec &spec, murk_image &image)
         float alpha = spec.alpha_channel >= 0 ? pixel[spec.alpha_channel] : 1.0f;
         for (int c = 0; c < image.channels; c++)
             if (c != spec.alpha_channel)
-                pixel[c] = alpha * linear_from_srgb(pixel[c]);
+                pixel[c] = alpha * float(murk_display_linear(pixel[c]));
     }
 }
 
@@ -146,6 +142,34 @@ murk_status encode_image(murk_context *context, const char *path, const murk_oii
     return MURK_OK;
 }
 
+bool text_box(const char *font, const char *text, int size, murk_oiio_box &out)
+{
+    OIIO::ROI box = OIIO::ImageBufAlgo::text_size(text, size, font);
+    if (!box.defined())
+        return false;
+    out = {box.width(), box.height(), box.ybegin};
+    return true;
+}
+
+murk_status text_cover(murk_context *context, const char *font, const char *text, int size,
+                       const murk_oiio_box &box, float **out)
+{
+    size_t count = size_t(box.width) * size_t(box.height);
+    float *part = static_cast<float *>(std::calloc(count ? count : 1, sizeof *part));
+    if (!part)
+        throw std::bad_alloc();
+    OIIO::ImageSpec spec(box.width, box.height, 1, OIIO::TypeFloat);
+    OIIO::ImageBuf pixels(spec, part);
+    int left = OIIO::ImageBufAlgo::text_size(text, size, font).xbegin;
+    if (!OIIO::ImageBufAlgo::render_text(pixels, -left, -box.top, text, size, font, 1.0f)) {
+        std::free(part);
+        return murk_fail(context, MURK_ERROR_INTERNAL, "%s: %s", font,
+                         one_line(pixels.geterror()).c_str());
+    }
+    *out = part;
+    return MURK_OK;
+}
+
 } // namespace
 
 murk_status murk_oiio_read(murk_context *context, const char *path, murk_image **out) noexcept
@@ -157,4 +181,19 @@ murk_status murk_oiio_encode(murk_context *context, const char *path,
                              const murk_oiio_pixels *pixels, void **bytes, size_t *size) noexcept
 {
     return guard(context, path, [&] { return encode_image(context, path, *pixels, bytes, size); });
+}
+
+bool murk_oiio_text_box(const char *font, const char *text, int size, murk_oiio_box *out) noexcept
+{
+    try {
+        return text_box(font, text, size, *out);
+    } catch (...) {
+        return false;
+    }
+}
+
+murk_status murk_oiio_text_cover(murk_context *context, const char *font, const char *text,
+                                 int size, const murk_oiio_box *box, float **out) noexcept
+{
+    return guard(context, font, [&] { return text_cover(context, font, text, size, *box, out); });
 }

@@ -33,11 +33,7 @@ static bool cut(const murk_array *array, const float *values, double constant, m
         }
     }
     out->count = count;
-    for (int a = 0; a < 3; a++) {
-        out->index_to_world[5 * a] = array->voxel_size[a];
-        out->index_to_world[4 * a + 3] = array->origin[a] + 0.5 * array->voxel_size[a];
-    }
-    out->index_to_world[15] = 1;
+    murk_bricks_place(out, array->voxel_size, array->origin);
     return true;
 }
 

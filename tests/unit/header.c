@@ -2,6 +2,7 @@
 /* Only compiled, as C99 and C17: the public headers stand alone and keep to the language. */
 #include "murk/exchange.h"
 #include "murk/murk.h"
+#include "murk/plot.h"
 
 extern const void *const header_defaults[];
 

@@ -2,6 +2,7 @@
 // Only compiled, as C++17: the public headers can be used from there.
 #include "murk/exchange.h"
 #include "murk/murk.h"
+#include "murk/plot.h"
 
 namespace
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Media from arrays: which voxels are zones, what they hold, what is refused. */
+/* Media from arrays and bricks: which voxels are zones, what they hold, what is refused. */
 #include "check.h"
 #include "medium.h"
 
@@ -106,13 +106,79 @@ static void refusals(void **state)
     }
 }
 
+/* The bricks of an array, the last of them first, give what the array does; zeros are not active.
+ */
+static void bricks(void **state)
+{
+    enum { BRICKS = 2 * 1 * 2, SLOTS = 512 };
+    static float dense[3][COUNT], sparse[3][BRICKS * SLOTS];
+    int32_t brick[3 * BRICKS];
+    uint64_t random = 29;
+    for (int n = 0; n < COUNT; n++)
+        for (int f = 0; f < 3; f++)
+            dense[f][n] = check_random(&random) < 0.5 ? 0 : (float)check_random(&random);
+    const murk_array array = {.size = {NX, NY, NZ},
+                              .voxel_size = {1, 2, 3},
+                              .origin = {10, 20, 30},
+                              .kappa_t = dense[0],
+                              .albedo = dense[1],
+                              .emission = dense[2]};
+    for (int b = 0; b < BRICKS; b++) {
+        int32_t *at = &brick[3 * (BRICKS - 1 - b)];
+        at[0] = b / 2;
+        at[1] = 0;
+        at[2] = b % 2;
+    }
+    for (int n = 0; n < COUNT; n++) {
+        int i = n / (NY * NZ), j = n / NZ % NY, k = n % NZ;
+        int b = BRICKS - 1 - (2 * (i / 8) + k / 8);
+        for (int f = 0; f < 3; f++)
+            sparse[f][SLOTS * b + 64 * (i % 8) + 8 * j + k % 8] = dense[f][n];
+    }
+    murk_brick_array from = {.count = BRICKS,
+                             .brick = brick,
+                             .voxel_size = {1, 2, 3},
+                             .origin = {10, 20, 30},
+                             .kappa_t = sparse[0],
+                             .albedo = sparse[1],
+                             .emission = sparse[2]};
+    murk_medium *a = NULL, *b = NULL;
+    murk_medium_info info, wanted;
+    assert_int_equal(murk_medium_from_array(*state, &array, &a), MURK_OK);
+    assert_int_equal(murk_medium_from_bricks(*state, &from, &b), MURK_OK);
+    murk_medium_info_get(a, &wanted);
+    murk_medium_info_get(b, &info);
+    assert_int_equal(info.input_voxels, wanted.zones);
+    wanted.input_voxels = info.input_voxels;
+    assert_memory_equal(&info, &wanted, sizeof info);
+    size_t slots = a->grid->brick_count * SLOTS;
+    assert_memory_equal(a->grid->mask, b->grid->mask, slots / 8);
+    assert_memory_equal(a->kappa_t, b->kappa_t, slots * sizeof(float));
+    assert_memory_equal(a->albedo.field, b->albedo.field, slots * sizeof(float));
+    assert_memory_equal(a->emission.field, b->emission.field, slots * sizeof(float));
+    murk_medium_release(a);
+    murk_medium_release(b);
+
+    b = NULL;
+    sparse[0][5] = NAN;
+    assert_int_equal(murk_medium_from_bricks(*state, &from, &b), MURK_ERROR_INPUT);
+    sparse[0][5] = 0;
+    memcpy(&brick[3], &brick[9], 3 * sizeof *brick);
+    assert_int_equal(murk_medium_from_bricks(*state, &from, &b), MURK_ERROR_INPUT);
+    assert_string_equal(murk_context_message(*state), "bricks: brick (0, 0, 0) is there twice");
+    assert_null(b);
+    from.count = 0;
+    assert_int_equal(murk_medium_from_bricks(*state, &from, &b), MURK_OK);
+    murk_medium_info_get(b, &info);
+    assert_int_equal(info.zones, 0);
+    murk_medium_release(b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(zones),
-        cmocka_unit_test(depths),
-        cmocka_unit_test(empty),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(zones),    cmocka_unit_test(depths), cmocka_unit_test(empty),
+        cmocka_unit_test(refusals), cmocka_unit_test(bricks),
     };
     return cmocka_run_group_tests(tests, open_context, close_context);
 }

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* What the media of murk bench are lit by. */
+#ifndef BENCH_SCENES_H
+#define BENCH_SCENES_H
+
+#include "voxels.h"
+
+/* Makes the scene of a medium, and its ground, which is the caller's to release. */
+typedef murk_status bench_scene_fn(murk_context *context, const murk_medium *medium,
+                                   murk_scene *scene, murk_ground **ground);
+
+/* murk_scene_default(). */
+bench_scene_fn bench_scene_default;
+
+/* [BG91] section 5: a sun overhead and one patch under each column of zones, of reflectance 0.3,
+   and 0.6 in a square in the middle. */
+bench_scene_fn bench_scene_paper;
+
+#endif

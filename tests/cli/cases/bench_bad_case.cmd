@@ -1,0 +1,1 @@
+murk bench --cases cloud,fog

@@ -1,0 +1,1 @@
+murk bench --parts growth,speed

@@ -1,0 +1,1 @@
+murk bench -o nowhere/plot.png

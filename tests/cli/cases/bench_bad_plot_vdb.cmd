@@ -1,0 +1,1 @@
+murk bench -o plot.vdb

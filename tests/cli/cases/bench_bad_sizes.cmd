@@ -1,0 +1,1 @@
+murk bench --sizes 1e4,10

@@ -1,0 +1,1 @@
+murk bench --cases box --sizes 125 --runs 1 --parts growth --render
