@@ -100,7 +100,7 @@ static double diffuse_at(const murk_backdrop *backdrop, int ia, int ib, double a
 static double ground_at(const murk_backdrop *backdrop, double a, double b, double *reflectance)
 {
     const murk_ground *ground = backdrop->solution->ground;
-    int ia = murk_ground_column(ground, 0, a), ib = murk_ground_column(ground, 1, b);
+    int ia = murk_ground_column_at(ground, 0, a), ib = murk_ground_column_at(ground, 1, b);
     if (ia < 0 || ib < 0) {
         *reflectance = ground->horizon ? ground->mean_reflectance : 0;
         return ground->horizon ? ground->mean_emission + ground->mean_reflectance * M_PI *

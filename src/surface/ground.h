@@ -52,15 +52,17 @@ static inline int murk_ground_column(const murk_ground *ground, int c, double t)
     return t < 0 ? margin - 1 - i : margin + n + i;
 }
 
+/* The same at a world coordinate [m]. */
+static inline int murk_ground_column_at(const murk_ground *ground, int c, double x)
+{
+    return murk_ground_column(ground, c,
+                              (x - ground->edge[c][ground->margin]) * ground->per_metre[c]);
+}
+
 /* Patch number at (a, b); outside: MURK_GROUND_HORIZON or, without horizon, MURK_GROUND_NOTHING. */
 static inline int64_t murk_ground_patch(const murk_ground *ground, double a, double b)
 {
-    const double at[2] = {a, b};
-    int column[2];
-    for (int c = 0; c < 2; c++)
-        column[c] = murk_ground_column(
-            ground, c, (at[c] - ground->edge[c][ground->margin]) * ground->per_metre[c]);
-    int ia = column[0], ib = column[1];
+    int ia = murk_ground_column_at(ground, 0, a), ib = murk_ground_column_at(ground, 1, b);
     if (ia < 0 || ib < 0)
         return ground->horizon ? MURK_GROUND_HORIZON : MURK_GROUND_NOTHING;
     return (int64_t)ib * ground->count[0] + ia;
