@@ -320,6 +320,13 @@ typedef enum murk_solver {
     MURK_GAUSS_SEIDEL /**< [BG91] eqs. (7)-(10), pairwise only */
 } murk_solver;
 
+/** A pinhole camera in right-handed world coordinates. */
+typedef struct murk_camera {
+    double eye[3], target[3], up[3];
+    double fov;  /**< vertical field of view, degrees, in (0, 180) */
+    int size[2]; /**< width, height in pixels, >= 1 */
+} murk_camera;
+
 /** The radiosities of the zones and patches of one scene. */
 typedef struct murk_solution murk_solution;
 
@@ -336,13 +343,17 @@ typedef struct murk_solve_options {
      *  their light from it. It changes the time, not the result within the tolerance. NULL: none.
      *  Borrowed for the call. */
     const murk_solution *start;
+    /** lines: the one camera that the solution is for, or NULL. What it cannot see is then solved
+     *  coarsely where that saves time: such zones and their margin are not within the tolerance,
+     * and the report has no energies (NaN). Borrowed for the call. */
+    const murk_camera *camera;
 } murk_solve_options;
 
 #define MURK_SOLVE_DEFAULT                                                                         \
     {                                                                                              \
         .tolerance = 0.01, .method = MURK_LINES, .solver = MURK_CONJUGATE_GRADIENTS,               \
         .directions = 0, .rays = 0, .epsilon = 1e-9, .max_iterations = 0, .window = {0, 0, 0},     \
-        .start = NULL                                                                              \
+        .start = NULL, .camera = NULL                                                              \
     }
 
 /** What a solve did; energies in W over the medium, times in s. */
@@ -356,6 +367,7 @@ typedef struct murk_report {
                            zones */
     double crossings; /**< lines: zones times directions that were traced, all applications */
     double crossings_dark;   /**< of them, those passed over because there was no light to carry */
+    double crossings_unseen; /**< of them, those that the camera saved */
     double seconds_exchange; /**< lines: time in those applications */
     int coarsening;          /**< lines: edge of the zones on which the scattering orders were
                                   iterated, in voxels; 1: none were merged */
@@ -428,13 +440,6 @@ MURK_API murk_status murk_solution_from_volume(murk_context *context, const murk
 /* ------------------------------------------------------------------------------------------ */
 /* Render                                                                                      */
 /* ------------------------------------------------------------------------------------------ */
-
-/** A pinhole camera in right-handed world coordinates. */
-typedef struct murk_camera {
-    double eye[3], target[3], up[3];
-    double fov;  /**< vertical field of view, degrees, in (0, 180) */
-    int size[2]; /**< width, height in pixels, >= 1 */
-} murk_camera;
 
 /** A camera that frames the medium and its shadow on the ground. */
 MURK_API murk_status murk_camera_default(murk_context *context, const murk_scene *scene,

@@ -171,6 +171,8 @@ murk_status cli_job_solve(struct cli_job *job)
 {
     murk_solve_options options = job->options->solve;
     options.start = job->start;
+    if (!strcmp(job->command, "image") && !job->options->radiosity)
+        options.camera = &job->scene.camera; /* nothing else will see the solution */
     murk_status status = murk_solve(job->context, &job->scene.scene, &options, &job->solution);
     murk_solution_release(job->start);
     job->start = NULL;

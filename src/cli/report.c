@@ -99,6 +99,7 @@ static json_t *solution_json(const murk_report *report)
     json_object_set_new(object, "sweeps", json_integer(report->sweeps));
     json_object_set_new(object, "crossings", cli_json_number(report->crossings));
     json_object_set_new(object, "crossings_dark", cli_json_number(report->crossings_dark));
+    json_object_set_new(object, "crossings_unseen", cli_json_number(report->crossings_unseen));
     json_object_set_new(object, "coarsening", json_integer(report->coarsening));
     json_object_set_new(object, "residual", cli_json_number(report->residual));
     json_object_set_new(object, "tolerance", cli_json_number(report->tolerance));

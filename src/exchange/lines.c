@@ -106,6 +106,11 @@ const char *murk_lines_kernel(const murk_lines *lines)
     return murk_sweep_kernel(lines->sweep);
 }
 
+void murk_lines_limit(murk_lines *lines, const murk_region *region)
+{
+    murk_sweep_limit(lines->sweep, region);
+}
+
 const murk_traced *murk_lines_traced(const murk_lines *lines)
 {
     return murk_sweep_traced(lines->sweep);

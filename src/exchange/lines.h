@@ -21,6 +21,8 @@ int murk_lines_directions(const murk_lines *lines);
 const char *murk_lines_kernel(const murk_lines *lines);
 
 const murk_traced *murk_lines_traced(const murk_lines *lines);
+/* As murk_sweep_limit(). */
+void murk_lines_limit(murk_lines *lines, const murk_region *region);
 
 /* As exchange.h says, for 1 ... MURK_MOST_BANDS bands at once; zone and patch of out may be NULL
    where they are not wanted, in all bands alike. In active slots without extinction out->zone is

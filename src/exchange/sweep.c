@@ -23,8 +23,8 @@ struct worker {
     float *tally[MURK_MOST_BANDS]; /* of the first thread: the cargo's own */
     double *patch_power[MURK_MOST_BANDS];
     double net_power[MURK_MOST_BANDS];
-    double dark; /* crossings passed over */
-    float *slab; /* the bricks of a slab, each kappa_t, sources and tallies, in layers */
+    double dark, beyond; /* crossings passed over */
+    float *slab;         /* the bricks of a slab, each kappa_t, sources and tallies, in layers */
     murk_plane plane[MURK_BLOCK];
 };
 
@@ -33,6 +33,7 @@ struct murk_sweep {
     const float *kappa_t;
     float clear; /* kappa_t of voxels without extinction */
     const murk_ground *ground;
+    murk_region region;
     murk_line *line;
     int line_count;
     struct block *blocks;
@@ -181,6 +182,11 @@ void murk_sweep_release(murk_sweep *sweep)
     murk_free(sweep);
 }
 
+void murk_sweep_limit(murk_sweep *sweep, const murk_region *region)
+{
+    sweep->region = *region;
+}
+
 const char *murk_sweep_kernel(const murk_sweep *sweep)
 {
     return sweep->kernel_name;
@@ -290,12 +296,20 @@ static bool cross_slab(const struct run *run, const struct lattices *lines, int 
                        const murk_slabs *slabs, int s, struct worker *worker)
 {
     const double *slope = lines->lattice[first].direction;
-    bool up_u = slope[slabs->u] > 0, up_v = slope[slabs->v] > 0;
+    const bool up[3] = {slope[0] > 0, slope[1] > 0, slope[2] > 0};
+    bool up_u = up[slabs->u], up_v = up[slabs->v];
+    bool ends = run->sweep->region.limited &&
+                !(lines->boundary[first].heading < 0 && worker->patch_power[0]);
     size_t start = slabs->first[s], count = slabs->first[s + 1] - start;
     for (size_t n = 0; n < count; n++) {
         size_t at = up_u ? n : count - 1 - n;
         if (up_u != up_v)
             at = (size_t)slabs->mixed[start + at] - start;
+        size_t b = (size_t)slabs->brick[start + at];
+        if (ends && !murk_region_ahead(&run->sweep->region, run->sweep->grid->brick[b], up)) {
+            worker->beyond += (last - first + 1) * (double)run->sweep->brick_zones[b];
+            continue;
+        }
         for (int i = first; i <= last; i++)
             if (!cross_brick(run, lines, i, slabs, s, at, worker))
                 return false;
@@ -403,7 +417,7 @@ static bool hire(murk_sweep *sweep, int count, const murk_cargo *cargo, int band
         }
         if (!ok)
             return false;
-        worker->dark = 0;
+        worker->dark = worker->beyond = 0;
     }
     return true;
 }
@@ -499,8 +513,10 @@ murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, murk_cargo 
                          sweep->line_count);
     for (int b = 0; b < bands; b++)
         sum_up(context, sweep, &cargo[b], b);
-    for (int t = 0; t < count; t++)
+    for (int t = 0; t < count; t++) {
         sweep->traced.dark += sweep->worker[t].dark;
+        sweep->traced.beyond += sweep->worker[t].beyond;
+    }
     sweep->traced.seconds += murk_seconds() - start;
     return MURK_OK;
 }

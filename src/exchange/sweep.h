@@ -5,6 +5,7 @@
 
 #include "kernel.h"
 #include "plane.h"
+#include "region.h"
 
 typedef struct murk_sweep murk_sweep;
 
@@ -16,6 +17,7 @@ enum { MURK_BLOCK = 8 };
 typedef struct murk_traced {
     double crossings; /* zones times lines */
     double dark;      /* of them, those passed over because nothing was there to carry */
+    double beyond;    /* of them, those that a limit saved */
     double seconds;
 } murk_traced;
 
@@ -27,6 +29,10 @@ murk_status murk_sweep_create(murk_context *context, const murk_grid *grid, cons
                               const murk_ground *ground, const murk_line *lines, int line_count,
                               murk_sweep **out);
 void murk_sweep_release(murk_sweep *sweep);
+
+/* Lets lines end where no brick of the region is ahead of them, but for those that go on to the
+   ground. Tallies are then of use in the region alone, and net powers are of none. */
+void murk_sweep_limit(murk_sweep *sweep, const murk_region *region);
 
 const char *murk_sweep_kernel(const murk_sweep *sweep);
 const murk_traced *murk_sweep_traced(const murk_sweep *sweep);

@@ -45,9 +45,18 @@ static float direct_value(const murk_coarse *coarse, const void *user, size_t i,
     return murk_stage_direct(coarse->stage, coarse->solution->medium, i, o);
 }
 
+struct residual {
+    const float *net;
+    const murk_region *region;
+};
+
 static float residual_value(const murk_coarse *coarse, const void *user, size_t i, size_t o)
 {
-    const float *net = user, x = coarse->solution->radiosity[o];
+    const struct residual *of = user;
+    const murk_grid *grid = coarse->solution->medium->grid;
+    if (!murk_region_has(of->region, grid->brick[i / MURK_BRICK_SLOTS]))
+        return 0;
+    const float *net = of->net, x = coarse->solution->radiosity[o];
     float albedo = murk_value(&coarse->solution->medium->albedo, i);
     return direct_value(coarse, NULL, i, o) + albedo * net[o] - (1 - albedo) * x;
 }
@@ -64,9 +73,10 @@ static float start_value(const murk_coarse *coarse, const void *user, size_t i, 
     return start->radiosity[(size_t)at * MURK_BRICK_SLOTS + (size_t)slot];
 }
 
-void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *incident)
+void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *incident,
+                          const murk_region *region)
 {
-    restrict_zones(coarse, residual_value, net, coarse->r.zone);
+    restrict_zones(coarse, residual_value, &(struct residual){net, region}, coarse->r.zone);
     for (size_t i = 0; i < coarse->system.patches; i++)
         coarse->r.patch[i] = coarse->direct.patch[i] +
                              coarse->system.ground->reflectance[i] * incident[i] -
@@ -288,5 +298,6 @@ void murk_coarse_count(murk_coarse *coarse, const murk_lines *lines)
     const murk_traced *traced = murk_lines_traced(lines);
     coarse->traced.crossings += traced->crossings;
     coarse->traced.dark += traced->dark;
+    coarse->traced.beyond += traced->beyond;
     coarse->traced.seconds += traced->seconds;
 }

@@ -50,8 +50,9 @@ murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, dou
 void murk_coarse_prolong(murk_coarse *coarse, murk_solution *solution);
 
 /* Sets r to the residual of the solution's zones, net being G/4 - B of them without the beam, and
-   of x's patches, which `incident` arrives at. */
-void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *incident);
+   of x's patches, which `incident` arrives at; 0 for zones that nothing is asked for. */
+void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *incident,
+                          const murk_region *region);
 
 /* Adds what a traced set of lines did to the sums. */
 void murk_coarse_count(murk_coarse *coarse, const murk_lines *lines);

@@ -113,7 +113,11 @@ static murk_status finish(murk_context *context, murk_solution *solution, const 
         status = murk_lines_apply(context, lines, in, out, 2);
     if (!status)
         murk_finish(solution, stage,
-                    &(murk_arrived){net[0], incident[0], out[0].net_power, out[1].net_power}, true);
+                    &(murk_arrived){.net = net[0],
+                                    .incident = incident[0],
+                                    .net_power = out[0].net_power,
+                                    .diffuse = out[1].net_power},
+                    true);
     for (size_t i = 0; !status && i < patches; i++) {
         solution->patch[i] = x->patch[i];
         if (ground->reflectance[i] > 0)

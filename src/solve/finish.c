@@ -41,15 +41,18 @@ static double mean_albedo(const murk_medium *medium)
     return weight > 0 ? sum / weight : 0;
 }
 
-static void fill_margin(murk_solution *solution, const murk_stage *stage, const float *net)
+static void fill_margin(murk_solution *solution, const murk_stage *stage,
+                        const murk_arrived *arrived)
 {
+    const float *net = arrived->net;
     const murk_grid *grid = solution->grid;
     double mean = mean_albedo(solution->medium);
 #pragma omp parallel for num_threads(solution->context->threads) schedule(static)
     for (size_t b = 0; b < grid->brick_count; b++)
         for (int s = 0; s < MURK_BRICK_SLOTS; s++) {
             size_t i = b * MURK_BRICK_SLOTS + (size_t)s;
-            if (stage->kappa_t[i] > 0 || !murk_grid_active(grid, b, s))
+            if (stage->kappa_t[i] > 0 || !murk_grid_active(grid, b, s) ||
+                !murk_region_has(&arrived->region, grid->brick[b]))
                 continue;
             const int32_t voxel[3] = {grid->brick[b][0] * 8 + (s >> 6),
                                       grid->brick[b][1] * 8 + (s >> 3 & 7),
@@ -66,9 +69,10 @@ struct sums {
     double change, size; /* sums of kappa_t B^2 */
 };
 
-static struct sums fill_zones(murk_solution *solution, const murk_stage *stage, const float *net,
-                              bool keep)
+static struct sums fill_zones(murk_solution *solution, const murk_stage *stage,
+                              const murk_arrived *arrived, bool keep)
 {
+    const float *net = arrived->net;
     const murk_medium *medium = solution->medium;
     const murk_grid *from = medium->grid;
     double volume = 4 * from->volume, emitted = 0, absorbed = 0, moved = 0, size = 0;
@@ -78,7 +82,7 @@ static struct sums fill_zones(murk_solution *solution, const murk_stage *stage, 
         for (size_t s = 0; s < MURK_BRICK_SLOTS; s++) {
             size_t i = b * MURK_BRICK_SLOTS + s, o = murk_stage_slots(stage, b) + s;
             double weight = volume * medium->kappa_t[i];
-            if (!(weight > 0))
+            if (!(weight > 0) || !murk_region_has(&arrived->region, from->brick[b]))
                 continue;
             double albedo = murk_value(&medium->albedo, i), x = solution->radiosity[o];
             double emission = (1 - albedo) * murk_value(&medium->emission, i);
@@ -117,14 +121,17 @@ static void fill_balance(murk_report *report, const struct sums *sums, double su
     double sources = report->energy_emitted + sun + arrived->diffuse;
     double lost = report->energy_absorbed + report->energy_escaped;
     report->energy_balance = sources > 0 ? fabs(sources - lost) / sources : 0;
+    if (arrived->region.limited)
+        report->energy_emitted = report->energy_absorbed = report->energy_escaped =
+            report->energy_balance = NAN;
 }
 
 double murk_finish(murk_solution *solution, const murk_stage *stage, const murk_arrived *arrived,
                    bool keep)
 {
-    fill_margin(solution, stage, arrived->net);
+    fill_margin(solution, stage, arrived);
     fill_patches(solution, stage, arrived->incident);
-    struct sums sums = fill_zones(solution, stage, arrived->net, keep);
+    struct sums sums = fill_zones(solution, stage, arrived, keep);
     fill_balance(&solution->report, &sums, stage->extinguished, arrived);
     return sums.size > 0 ? sqrt(sums.change / sums.size) : 0;
 }

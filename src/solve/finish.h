@@ -3,6 +3,7 @@
 #ifndef MURK_SOLVE_FINISH_H
 #define MURK_SOLVE_FINISH_H
 
+#include "region.h"
 #include "stage.h"
 
 /* What the exchange operator has brought about. */
@@ -11,12 +12,13 @@ typedef struct murk_arrived {
     const float *incident; /* H of the patches without the beam; NULL without ground */
     double net_power;      /* W, as in murk_incident */
     double diffuse;        /* of it, what the medium takes of the light of sky and ground [W] */
+    murk_region region;    /* where net holds */
 } murk_arrived;
 
 /*
  * Takes solution->radiosity as the x that was applied. Sets the zones to albedo G/4 + (1 - albedo)
- * E, or leaves them where keep is set; the margin, the patches and the energies of the report.
- * Returns the relative change of the zones, in the norm of the tolerance.
+ * E, or leaves them where keep is set or nothing is asked for; the margin, the patches and the
+ * energies of the report. Returns the relative change of the zones, in the norm of the tolerance.
  */
 double murk_finish(murk_solution *solution, const murk_stage *stage, const murk_arrived *arrived,
                    bool keep);

@@ -6,6 +6,7 @@
  */
 #include "levels.h"
 
+#include "audience.h"
 #include "coarse.h"
 #include "coarsen.h"
 #include "finish.h"
@@ -29,6 +30,7 @@ typedef struct murk_levels {
     murk_lines *lines;    /* on the solution's grid */
     float *net;           /* on that grid */
     float *incident;      /* of the patches */
+    murk_region region;   /* what is asked for */
     int directions, last; /* of the passes on the zones, and of the last probe */
     double diffuse;       /* light of sky and ground that the medium takes, by the last probe [W] */
     double change;        /* by the first pass with these directions */
@@ -136,7 +138,8 @@ static murk_status spread_correction(murk_levels *levels, murk_spread *out)
         status = murk_lines_apply(levels->context, coarse->lines, in, arrived, 2);
     if (!status) {
         struct defect defect = find_defect(coarse, net, net_one);
-        bool mend = defect.leak > 0 && fabs(defect.left) > ROUNDING * defect.size;
+        bool mend = !levels->region.limited && defect.leak > 0 &&
+                    fabs(defect.left) > ROUNDING * defect.size;
         float add = mend ? (float)(defect.left / defect.leak) : 0;
         for (size_t i = 0; i < slots; i++)
             coarse->r.zone[i] = coarse->medium->kappa_t[i] > 0
@@ -205,7 +208,7 @@ static murk_status pass(murk_levels *levels, double *change)
     murk_status status = murk_lines_apply(levels->context, levels->lines, &in, &out, 1);
     if (status)
         return status;
-    murk_coarse_restrict(coarse, levels->net, levels->incident);
+    murk_coarse_restrict(coarse, levels->net, levels->incident, &levels->region);
     double size = sqrt(murk_vector_product(&coarse->system, &coarse->x, &coarse->x));
     double left = sqrt(murk_vector_product(&coarse->system, &coarse->r, &coarse->r));
     solution->report.residual = size > 0 ? left / size : 0;
@@ -223,7 +226,8 @@ static murk_status pass(murk_levels *levels, double *change)
                               &(murk_arrived){.net = levels->net,
                                               .incident = levels->incident,
                                               .net_power = out.net_power + spread.net_power,
-                                              .diffuse = levels->diffuse},
+                                              .diffuse = levels->diffuse,
+                                              .region = levels->region},
                               false);
         for (size_t i = 0; i < coarse->system.patches; i++)
             coarse->x.patch[i] = solution->patch[i];
@@ -244,6 +248,8 @@ static murk_status passes(murk_levels *levels)
     murk_status status =
         murk_lines_create(levels->context, solution->grid, levels->stage->kappa_t, solution->ground,
                           levels->directions, o->rays, &levels->lines);
+    if (!status)
+        murk_lines_limit(levels->lines, &levels->region);
     double before = 0;
     for (int n = 0; !status && n < MOST_PASSES; n++) {
         double change = 0, ratio = CONTRACTION;
@@ -271,8 +277,13 @@ static murk_status finish(murk_levels *levels)
         return murk_fail(levels->context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
                          grid->zone_count);
     murk_coarse_prolong(&levels->coarse, levels->solution);
-    for (;;) {
-        murk_status status = passes(levels);
+    const murk_solve_options *o = levels->options;
+    murk_status status = MURK_OK;
+    if (o->camera)
+        status = murk_audience(levels->context, levels->solution, o->camera, o->tolerance,
+                               &levels->region);
+    while (!status) {
+        status = passes(levels);
         if (status || levels->coarse.shift || levels->directions <= levels->last)
             return status;
         int now = levels->directions,
@@ -282,6 +293,7 @@ static murk_status finish(murk_levels *levels)
         levels->last = now;
         levels->directions = needed;
     }
+    return status;
 }
 
 /* ---- all ----------------------------------------------------------------------------------- */
@@ -298,6 +310,7 @@ static void report_levels(murk_levels *levels, murk_report *report)
     report->iterations = coarse->iterations;
     report->crossings = coarse->traced.crossings;
     report->crossings_dark = coarse->traced.dark;
+    report->crossings_unseen = coarse->traced.beyond;
     report->seconds_exchange = coarse->traced.seconds;
     report->coarsening = 1 << coarse->shift;
     double sweep = (double)report->zones * MURK_ORBIT;

@@ -37,17 +37,20 @@ static void count_multiplications(murk_report *report, const int window[3])
 /* What the scene did not need, in one line of the log. */
 static void note_skipped(murk_context *context, const murk_scene *scene, const murk_report *report)
 {
-    char zones[80] = "", dark[64] = "";
+    char zones[80] = "", dark[64] = "", unseen[64] = "";
     if (report->coarsening > 1)
         snprintf(zones, sizeof zones, " zones of one voxel for scattering orders (%d an edge do);",
                  report->coarsening);
     if (report->crossings_dark > 0)
         snprintf(dark, sizeof dark, " %.0f %% of the crossings (dark);",
                  100 * report->crossings_dark / report->crossings);
+    if (report->crossings_unseen > 0)
+        snprintf(unseen, sizeof unseen, " %.0f %% of the crossings (out of sight);",
+                 100 * report->crossings_unseen / report->crossings);
     bool sun = scene->sun.irradiance > 0, sky = scene->sky_radiance > 0;
     bool iterates = report->iterations > 0;
-    if (*zones || *dark || !sun || !sky || !scene->ground || !iterates)
-        murk_note(context, "skipped:%s%s%s%s%s%s", zones, dark, sun ? "" : " sun;",
+    if (*zones || *dark || *unseen || !sun || !sky || !scene->ground || !iterates)
+        murk_note(context, "skipped:%s%s%s%s%s%s%s", zones, dark, unseen, sun ? "" : " sun;",
                   sky ? "" : " sky;", scene->ground ? "" : " ground;",
                   iterates ? "" : " iteration;");
 }

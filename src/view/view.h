@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The camera as a set of rays. */
-#ifndef MURK_RENDER_VIEW_H
-#define MURK_RENDER_VIEW_H
+#ifndef MURK_VIEW_VIEW_H
+#define MURK_VIEW_VIEW_H
 
 #include "context.h"
 
