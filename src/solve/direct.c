@@ -5,6 +5,7 @@
 #include "conjugate_gradients.h"
 #include "gauss_seidel.h"
 #include "pairwise.h"
+#include "preconditioner.h"
 
 #include <math.h>
 #include <string.h>
@@ -133,6 +134,7 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
     }
     murk_vector_clear(&b);
     murk_vector_clear(&x);
+    murk_preconditioner_release(system.preconditioner);
     system.method->release(system.state);
     if (!status && !report->reached)
         status = murk_fail(context, MURK_NOT_REACHED,

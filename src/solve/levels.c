@@ -9,6 +9,7 @@
 
 #include "conjugate_gradients.h"
 #include "lines.h"
+#include "preconditioner.h"
 #include "quadrature.h"
 
 #include <math.h>
@@ -191,6 +192,7 @@ murk_status murk_solve_lines(murk_context *context, murk_solution *solution,
     }
     for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
         murk_vector_clear(vectors[i]);
+    murk_preconditioner_release(levels.coarse.preconditioner);
     murk_lines_release(levels.lines[0]);
     murk_lines_release(levels.lines[1]);
     if (!status && !solution->report.reached)

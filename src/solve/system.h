@@ -13,6 +13,8 @@ typedef struct murk_vector {
     float *patch;
 } murk_vector;
 
+typedef struct murk_preconditioner murk_preconditioner;
+
 /*
  * L x = b with (L x)_k = x_k - albedo_k (G x)_k / 4 for zones and x_i - rho_i H_i for patches. L is
  * self-adjoint and positive definite in the inner product
@@ -28,6 +30,11 @@ typedef struct murk_system {
     size_t slots, patches;
     double power; /* counts applications, each as `cost` */
     double cost;
+    /* From the first solve on, for those that follow: <1, L 1> / <1, 1>, the part of a uniform
+       light that is absorbed or escapes at once, and the preconditioner where that is so little
+       that it was made (to be released by the system's owner). */
+    double escape;
+    murk_preconditioner *preconditioner;
 } murk_system;
 
 murk_status murk_vector_create(const murk_system *system, murk_vector *out);
@@ -37,9 +44,17 @@ void murk_vector_copy(const murk_system *system, const murk_vector *from, murk_v
 void murk_vector_add(const murk_system *system, double a, const murk_vector *x, murk_vector *y);
 /* y = x + a y */
 void murk_vector_turn(const murk_system *system, const murk_vector *x, double a, murk_vector *y);
+/* Sums are the same for any number of threads. */
 double murk_vector_product(const murk_system *system, const murk_vector *x, const murk_vector *y);
 /* Sum of kappa_t V x^2 over the zones: the norm that the tolerance is about, squared. */
 double murk_vector_norm2(const murk_system *system, const murk_vector *x);
+
+/* <r, r>, <r, z> and <z, z> at once. */
+void murk_vector_products(const murk_system *system, const murk_vector *r, const murk_vector *z,
+                          double *rr, double *rz, double *zz);
+/* x += a p and r -= a q; gives <x, x>. */
+double murk_vector_step(const murk_system *system, double a, const murk_vector *p,
+                        const murk_vector *q, murk_vector *x, murk_vector *r);
 
 /* y = L x */
 murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y);
