@@ -76,6 +76,9 @@ static void set_faces(const murk_medium *medium, const murk_voxel_shape *shape,
                 shape->area[axis] / (sum[p][l] + sum[p + 1][l]);
 }
 
+/* A cell stands for x that follow the light around each zone, x_i = x c / (c + sink_i) with c the
+   conductance of the voxel: so much of its sink is left. Without that a black zone would hide the
+   others of its cell. */
 static void set_sinks(const murk_medium *medium, const murk_voxel_shape *shape, size_t brick,
                       float *sink)
 {
@@ -84,8 +87,9 @@ static void set_sinks(const murk_medium *medium, const murk_voxel_shape *shape, 
         float kappa_t = medium->kappa_t[i], conductance = 0;
         for (int a = 0; a < 3; a++)
             conductance += shape->area[a] / murk_half_resistance(shape->edge[a] * kappa_t);
+        float own = murk_sink(shape->weight * kappa_t, murk_value(&medium->albedo, i));
         sink[((slot >> 7) * EDGE + (slot >> 4 & 3)) * EDGE + (slot >> 1 & 3)] +=
-            murk_sink(shape->weight * kappa_t, murk_value(&medium->albedo, i), conductance);
+            conductance * own / (conductance + own);
     }
 }
 

@@ -32,12 +32,11 @@ static inline float murk_half_resistance(float tau)
 /* Half resistance of what lies beyond the bricks: Marshak's condition of a vacuum. */
 static const float MURK_VACUUM = 0.5f;
 
-/* What a zone of the weight w = 4 kappa V takes for good, seen from around it: w (1/albedo - 1)
-   behind the conductance of its own voxel, without which a black zone would hide its neighbours. */
-static inline float murk_sink(float weight, float albedo, float conductance)
+/* What a zone takes for good of its own light, w (1/albedo - 1) with w = 4 kappa V; a black zone,
+   in which x is 0, as one that is almost black. */
+static inline float murk_sink(float weight, float albedo)
 {
-    float lost = weight * (1 - albedo);
-    return conductance * lost / (lost + albedo * conductance + 1e-30f);
+    return weight * (1 - albedo) / (albedo + 1e-6f);
 }
 
 /*

@@ -73,7 +73,7 @@ static murk_status gradients(murk_system *system, const murk_solve_options *opti
     if (status)
         return status;
     report->iterations = result.iterations;
-    report->residual = result.norm > 0 ? result.residual / result.norm : 0;
+    report->residual = result.residual;
     report->estimate_iteration = result.norm > 0 ? result.error / result.norm : 0;
     report->reached = report->estimate_iteration <= options->tolerance;
     return MURK_OK;

@@ -66,8 +66,8 @@ static murk_status correct(murk_levels *levels, double goal, double *first)
             return status;
         murk_vector_copy(&levels->fine, &levels->b, &levels->r);
         murk_vector_add(&levels->fine, -1, &levels->d, &levels->r);
-        double norm = sqrt(murk_vector_product(&levels->fine, &levels->x, &levels->x));
-        double left = sqrt(murk_vector_product(&levels->fine, &levels->r, &levels->r));
+        double norm = sqrt(murk_vector_norm2(&levels->fine, &levels->x));
+        double left = sqrt(murk_vector_norm2(&levels->fine, &levels->r));
         levels->residual = norm > 0 ? left / norm : 0;
         murk_cg_result result;
         status =

@@ -27,7 +27,8 @@ struct block {
     float source[PADDED];        /* W r */
     float resistance[3][PADDED]; /* half of a voxel's along each axis */
     float sink[PADDED];
-    float step[PADDED]; /* of damped Jacobi */
+    float step[PADDED];  /* of damped Jacobi */
+    float share[PADDED]; /* of x in that of its cell, as murk_diffusion_create() has it */
     float x[PADDED];
     float coarse[(COARSE + 2) * (COARSE + 2) * (COARSE + 2)];
     float residual[MURK_BRICK_SLOTS]; /* source - C x */
@@ -131,8 +132,9 @@ static void load(const murk_preconditioner *p, const float *r, size_t brick, str
                             shape->area[1] / block->resistance[1][i] +
                             shape->area[2] / block->resistance[2][i];
         block->source[i] = weight * block->source[i] / (albedo + 1e-30f);
-        block->sink[i] = murk_sink(weight, albedo, conductance);
+        block->sink[i] = murk_sink(weight, albedo);
         block->step[i] = DAMPING / (conductance + block->sink[i]);
+        block->share[i] = conductance * block->step[i] / DAMPING;
         block->x[i] = block->step[i] * block->source[i];
     }
 }
@@ -169,6 +171,7 @@ static void restrict_residual(const struct block *block, float *source)
         for (int j = 0; j < N; j++)
             for (int k = 0; k < N; k++)
                 source[(i / 2 * COARSE + j / 2) * COARSE + k / 2] +=
+                    block->share[(i + 1) * I + (j + 1) * J + k + 1] *
                     block->residual[(i * N + j) * N + k];
 }
 
@@ -179,6 +182,7 @@ static void add_coarse(struct block *block)
         for (int j = 0; j < P; j++)
             for (int k = 0; k < P; k++)
                 block->x[i * I + j * J + k] +=
+                    block->share[i * I + j * J + k] *
                     block->coarse[((i + 1) / 2 * C + (j + 1) / 2) * C + (k + 1) / 2];
 }
 

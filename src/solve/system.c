@@ -110,54 +110,51 @@ double murk_vector_norm2(const murk_system *system, const murk_vector *x)
     return sum_of(parts) * medium->grid->volume;
 }
 
-void murk_vector_products(const murk_system *system, const murk_vector *r, const murk_vector *z,
-                          double *rr, double *rz, double *zz)
+murk_sums murk_vector_sums(const murk_system *system, const murk_vector *r, const murk_vector *z)
 {
-    double parts[3][PARTS], patches[3] = {0};
+    double rr[PARTS], rz[PARTS], z2[PARTS], patch_rr = 0, patch_rz = 0;
 #pragma omp parallel for num_threads(system->context->threads) schedule(static)
     for (int n = 0; n < PARTS; n++) {
-        double sum[3] = {0};
+        rr[n] = rz[n] = z2[n] = 0;
         for (size_t i = part(system, n); i < part(system, n + 1); i++) {
             double weight = zone_weight(system, i), u = r->zone[i], v = z->zone[i];
-            sum[0] += weight * u * u;
-            sum[1] += weight * u * v;
-            sum[2] += weight * v * v;
+            rr[n] += weight * u * u;
+            rz[n] += weight * u * v;
+            z2[n] += system->medium->kappa_t[i] * v * v;
         }
-        for (int c = 0; c < 3; c++)
-            parts[c][n] = sum[c];
     }
     for (size_t i = 0; i < system->patches; i++) {
-        double weight = patch_weight(system, i), u = r->patch[i], v = z->patch[i];
-        patches[0] += weight * u * u;
-        patches[1] += weight * u * v;
-        patches[2] += weight * v * v;
+        double weight = patch_weight(system, i) * r->patch[i];
+        patch_rr += weight * r->patch[i];
+        patch_rz += weight * z->patch[i];
     }
-    *rr = sum_of(parts[0]) + patches[0];
-    *rz = sum_of(parts[1]) + patches[1];
-    *zz = sum_of(parts[2]) + patches[2];
+    return (murk_sums){sum_of(rr) + patch_rr, sum_of(rz) + patch_rz,
+                       sum_of(z2) * system->medium->grid->volume};
 }
 
 double murk_vector_step(const murk_system *system, double a, const murk_vector *p,
-                        const murk_vector *q, murk_vector *x, murk_vector *r)
+                        const murk_vector *q, murk_vector *x, murk_vector *r, double *x2)
 {
     const float f = (float)a;
-    double parts[PARTS], patches = 0;
+    double xx[PARTS], norm2[PARTS], patches = 0;
 #pragma omp parallel for num_threads(system->context->threads) schedule(static)
     for (int n = 0; n < PARTS; n++) {
-        double sum = 0;
+        xx[n] = norm2[n] = 0;
         for (size_t i = part(system, n); i < part(system, n + 1); i++) {
             x->zone[i] += f * p->zone[i];
             r->zone[i] -= f * q->zone[i];
-            sum += zone_weight(system, i) * x->zone[i] * x->zone[i];
+            double u = x->zone[i];
+            xx[n] += zone_weight(system, i) * u * u;
+            norm2[n] += system->medium->kappa_t[i] * u * u;
         }
-        parts[n] = sum;
     }
     for (size_t i = 0; i < system->patches; i++) {
         x->patch[i] += f * p->patch[i];
         r->patch[i] -= f * q->patch[i];
         patches += patch_weight(system, i) * x->patch[i] * x->patch[i];
     }
-    return sum_of(parts) + patches;
+    *x2 = sum_of(norm2) * system->medium->grid->volume;
+    return sum_of(xx) + patches;
 }
 
 /* ---- the system ---------------------------------------------------------------------------- */

@@ -30,9 +30,8 @@ typedef struct murk_system {
     size_t slots, patches;
     double power; /* counts applications, each as `cost` */
     double cost;
-    /* From the first solve on, for those that follow: <1, L 1> / <1, 1>, the part of a uniform
-       light that is absorbed or escapes at once, and the preconditioner where that is so little
-       that it was made (to be released by the system's owner). */
+    /* From the first solve on, for those that follow: the part of a uniform light that zones absorb
+       or let escape at once, and the preconditioner where it was made (the owner's to release). */
     double escape;
     murk_preconditioner *preconditioner;
 } murk_system;
@@ -49,12 +48,15 @@ double murk_vector_product(const murk_system *system, const murk_vector *x, cons
 /* Sum of kappa_t V x^2 over the zones: the norm that the tolerance is about, squared. */
 double murk_vector_norm2(const murk_system *system, const murk_vector *x);
 
-/* <r, r>, <r, z> and <z, z> at once. */
-void murk_vector_products(const murk_system *system, const murk_vector *r, const murk_vector *z,
-                          double *rr, double *rz, double *zz);
-/* x += a p and r -= a q; gives <x, x>. */
+/* Sums that an iteration needs at a time: <r, r>, <r, z>, and the norm2 of z. */
+typedef struct murk_sums {
+    double rr, rz, z2;
+} murk_sums;
+
+murk_sums murk_vector_sums(const murk_system *system, const murk_vector *r, const murk_vector *z);
+/* x += a p and r -= a q; gives <x, x> and sets *x2 to the norm2 of x. */
 double murk_vector_step(const murk_system *system, double a, const murk_vector *p,
-                        const murk_vector *q, murk_vector *x, murk_vector *r);
+                        const murk_vector *q, murk_vector *x, murk_vector *r, double *x2);
 
 /* y = L x */
 murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y);
