@@ -132,12 +132,12 @@ static murk_status step(murk_gradients *g, murk_vector *x, bool *done)
     if (status)
         return status;
     double pq = murk_vector_product(g->system, &g->p, &g->q), before = g->sums.rz;
-    *done = !(pq > 0);
+    *done = !(pq > 0 && before > 0);
     if (*done)
         return MURK_OK;
     g->xx = murk_vector_step(g->system, before / pq, &g->p, &g->q, x, &g->r, &g->x2);
     const murk_vector *z = precondition(g);
-    double ratio = g->sums.rz / before;
+    double ratio = fmax(0, g->sums.rz / before);
     murk_lanczos_add(&g->lanczos, before / pq, ratio);
     g->least = murk_lanczos_least(&g->lanczos, g->least);
     murk_vector_turn(g->system, z, ratio, &g->p);
@@ -153,7 +153,7 @@ static murk_status iterate(murk_gradients *g, murk_vector *x, double relative, d
     g->xx = murk_vector_product(g->system, x, x);
     g->x2 = murk_vector_norm2(g->system, x);
     murk_vector_copy(g->system, precondition(g), &g->p);
-    for (*result = (murk_cg_result){0}; !status && !done; result->iterations += !status && !done) {
+    for (*result = (murk_cg_result){0};; result->iterations++) {
         /* Preconditioned, z is about the error itself; else the bound holds for z = r. */
         result->residual = g->xx > 0 ? sqrt(g->sums.rr / g->xx) : 0;
         result->error = sqrt(g->sums.z2) / g->least;
@@ -168,6 +168,8 @@ static murk_status iterate(murk_gradients *g, murk_vector *x, double relative, d
             status = turn_preconditioned(g);
         if (!status)
             status = step(g, x, &done);
+        if (status || done)
+            break;
     }
     return status;
 }
