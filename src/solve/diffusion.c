@@ -87,7 +87,8 @@ static void set_sinks(const murk_medium *medium, const murk_voxel_shape *shape, 
         float kappa_t = medium->kappa_t[i], conductance = 0;
         for (int a = 0; a < 3; a++)
             conductance += shape->area[a] / murk_half_resistance(shape->edge[a] * kappa_t);
-        float own = murk_sink(shape->weight * kappa_t, murk_value(&medium->albedo, i));
+        float albedo = murk_value(&medium->albedo, i);
+        float own = (1 - albedo) * murk_zone_weight(shape, kappa_t, albedo);
         sink[((slot >> 7) * EDGE + (slot >> 4 & 3)) * EDGE + (slot >> 1 & 3)] +=
             conductance * own / (conductance + own);
     }

@@ -32,11 +32,11 @@ static inline float murk_half_resistance(float tau)
 /* Half resistance of what lies beyond the bricks: Marshak's condition of a vacuum. */
 static const float MURK_VACUUM = 0.5f;
 
-/* What a zone takes for good of its own light, w (1/albedo - 1) with w = 4 kappa V; a black zone,
-   in which x is 0, as one that is almost black. */
-static inline float murk_sink(float weight, float albedo)
+/* W = 4 kappa V / albedo of a zone, of which 1 - albedo is what it takes for good of its own light.
+   A black zone, in which x is 0, counts as one that is almost black. */
+static inline float murk_zone_weight(const murk_voxel_shape *shape, float kappa_t, float albedo)
 {
-    return weight * (1 - albedo) / (albedo + 1e-6f);
+    return shape->weight * kappa_t / (albedo + 1e-6f);
 }
 
 /*

@@ -26,6 +26,8 @@ struct block {
     float kappa_t[PADDED], albedo[PADDED];
     float source[PADDED];        /* W r */
     float resistance[3][PADDED]; /* half of a voxel's along each axis */
+    const float *along[3];       /* that of each axis */
+    float conductance[PADDED];   /* sum of area / resistance */
     float sink[PADDED];
     float step[PADDED];  /* of damped Jacobi */
     float share[PADDED]; /* of x in that of its cell, as murk_diffusion_create() has it */
@@ -91,21 +93,27 @@ static inline void pad(const float *field, size_t brick, const int32_t neighbour
         }
 }
 
-/* The half resistances, with a vacuum where there is no brick. */
+/* The half resistances, with a vacuum where there is no brick, and the conductance of each voxel.
+   The layers around a brick serve one axis each, so that the axes of cubic voxels can share theirs.
+ */
 static void resist(const murk_preconditioner *p, const int32_t neighbour[6], struct block *block)
 {
-    for (int a = 0; a < 3; a++) {
-        if (a && p->cubic)
-            memcpy(block->resistance[a], block->resistance[0], sizeof block->resistance[0]);
-        else
-            for (int i = 0; i < PADDED; i++)
-                block->resistance[a][i] =
-                    murk_half_resistance(p->shape.edge[a] * block->kappa_t[i]);
+    const int axes = p->cubic ? 1 : 3;
+    memset(block->conductance, 0, sizeof block->conductance);
+    for (int a = 0; a < axes; a++) {
+        const float edge = p->shape.edge[a], area = (p->cubic ? 3 : 1) * p->shape.area[a];
+        for (int i = 0; i < PADDED; i++) {
+            float resistance = murk_half_resistance(edge * block->kappa_t[i]);
+            block->resistance[a][i] = resistance;
+            block->conductance[i] += area / resistance;
+        }
     }
+    for (int a = 0; a < 3; a++)
+        block->along[a] = block->resistance[a % axes];
     for (int s = 0; s < 6; s++) {
         const int strides[3] = {I, J, 1}, axis = s / 2;
         const int along = strides[axis], u = strides[axis ? 0 : 1], v = strides[axis == 2 ? 1 : 2];
-        float *layer = block->resistance[axis] + (s & 1 ? (P - 1) * along : 0);
+        float *layer = block->resistance[axis % axes] + (s & 1 ? (P - 1) * along : 0);
         for (int n = 0; neighbour[s] == MURK_NO_BRICK && n < P * P; n++)
             layer[n / P * u + n % P * v] = MURK_VACUUM;
     }
@@ -116,7 +124,6 @@ static void resist(const murk_preconditioner *p, const int32_t neighbour[6], str
 static void load(const murk_preconditioner *p, const float *r, size_t brick, struct block *block)
 {
     const murk_medium *medium = p->medium;
-    const murk_voxel_shape *shape = &p->shape;
     const int32_t *neighbour = murk_multigrid_neighbours(p->coarse, brick);
     pad(medium->kappa_t, brick, neighbour, N, block->kappa_t);
     pad(r, brick, neighbour, N, block->source);
@@ -127,14 +134,12 @@ static void load(const murk_preconditioner *p, const float *r, size_t brick, str
             block->albedo[i] = medium->albedo.constant;
     resist(p, neighbour, block);
     for (int i = 0; i < PADDED; i++) {
-        float weight = shape->weight * block->kappa_t[i], albedo = block->albedo[i];
-        float conductance = shape->area[0] / block->resistance[0][i] +
-                            shape->area[1] / block->resistance[1][i] +
-                            shape->area[2] / block->resistance[2][i];
-        block->source[i] = weight * block->source[i] / (albedo + 1e-30f);
-        block->sink[i] = murk_sink(weight, albedo);
-        block->step[i] = DAMPING / (conductance + block->sink[i]);
-        block->share[i] = conductance * block->step[i] / DAMPING;
+        float albedo = block->albedo[i];
+        float weight = murk_zone_weight(&p->shape, block->kappa_t[i], albedo);
+        block->source[i] *= weight;
+        block->sink[i] = (1 - albedo) * weight;
+        block->step[i] = DAMPING / (block->conductance[i] + block->sink[i]);
+        block->share[i] = block->conductance[i] * block->step[i] / DAMPING;
         block->x[i] = block->step[i] * block->source[i];
     }
 }
@@ -144,8 +149,8 @@ static void find_residual(const murk_voxel_shape *shape, struct block *block)
     for (int i = 0; i < N; i++)
         for (int j = 0; j < N; j++) {
             const int first = (i + 1) * I + (j + 1) * J + 1;
-            const float *x = block->x + first, *rx = block->resistance[0] + first,
-                        *ry = block->resistance[1] + first, *rz = block->resistance[2] + first;
+            const float *x = block->x + first, *rx = block->along[0] + first,
+                        *ry = block->along[1] + first, *rz = block->along[2] + first;
             float *out = block->residual + i * N * N + j * N;
             for (int k = 0; k < N; k++) {
                 float lost_x = (x[k] - x[k - I]) / (rx[k] + rx[k - I]) +
