@@ -9,8 +9,8 @@
 /* Vectors are floats: a residual this small relative to x is rounding. */
 static const double FLOOR = 1e-7;
 
-/* Below this least eigenvalue of L the preconditioner, a third of a sweep of 48 directions, saves
-   more than it costs. */
+/* Below this least eigenvalue of L the preconditioner, about a quarter of a sweep of 48 directions,
+   saves more than it costs. */
 static const double SLOW = 0.25;
 
 /* It is not made in the midst of an iteration that is this close to its goal. */
