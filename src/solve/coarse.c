@@ -3,6 +3,7 @@
 
 #include "coarsen.h"
 #include "conjugate_gradients.h"
+#include "preconditioner.h"
 #include "quadrature.h"
 
 #include <math.h>
@@ -225,6 +226,7 @@ void murk_coarse_clear(murk_coarse *coarse)
     murk_vector_clear(&coarse->x);
     murk_vector_clear(&coarse->r);
     murk_vector_clear(&coarse->d);
+    murk_preconditioner_release(coarse->system.preconditioner);
     murk_lines_release(coarse->lines);
     murk_medium_release(coarse->medium);
     memset(coarse, 0, sizeof *coarse);
@@ -260,7 +262,7 @@ murk_status murk_coarse_solve(murk_coarse *coarse, const murk_solution *start, d
     }
     murk_status status = murk_system_residual(&coarse->system, &coarse->direct, &coarse->around,
                                               start ? &coarse->x : NULL, &coarse->r, NULL, NULL);
-    double size = start ? sqrt(murk_vector_product(&coarse->system, &coarse->x, &coarse->x)) : 0;
+    double size = start ? sqrt(murk_vector_norm2(&coarse->system, &coarse->x)) : 0;
     if (!status)
         status = solve(coarse, start ? 0 : goal, goal * size);
     if (!status)
@@ -282,7 +284,7 @@ murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, dou
                                   &coarse->d, diffuse);
     murk_coarse_count(coarse, lines);
     murk_lines_release(lines);
-    double size = sqrt(murk_vector_product(&coarse->system, &coarse->x, &coarse->x));
+    double size = sqrt(murk_vector_norm2(&coarse->system, &coarse->x));
     if (!status)
         status = murk_coarse_correct(coarse, goal * size);
     if (status)

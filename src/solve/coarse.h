@@ -33,7 +33,8 @@ murk_status murk_coarse_create(murk_context *context, const murk_solution *solut
                                murk_coarse *out);
 void murk_coarse_clear(murk_coarse *coarse);
 
-/* Solves L d = r: until the error is a tenth of d or `absolute` in the norm of the system. */
+/* Solves L d = r: until the error is a twentieth of d, or `absolute`, in the norm of the
+   tolerance. */
 murk_status murk_coarse_correct(murk_coarse *coarse, double absolute);
 
 /* Sets x to the solution on these zones and directions, from `start` if that is not NULL, with

@@ -6,16 +6,17 @@
 
 typedef struct murk_cg_result {
     int iterations;
-    double residual; /* norm of b - L x, in the system's inner product */
-    double error;    /* bound on the error of x in that norm: residual over the least eigenvalue */
-    double norm;     /* of x */
+    double residual; /* norm of b - L x over that of x, in the system's inner product */
+    double error;    /* estimated error of x, as the root of murk_vector_norm2() */
+    double norm;     /* of x, likewise */
 } murk_cg_result;
 
 /*
- * Solves L x = b by conjugate gradients in the system's inner product, from the best combination of
- * b (the solution without multiple scattering) and a constant (the solution in an isothermal
- * enclosure, and the slowest part of the error in a thick medium), until the error
- * estimate is below `absolute` or `relative` times the norm of x, or after max_iterations.
+ * Solves L x = b by conjugate gradients in the system's inner product, until the error estimate is
+ * below `absolute` or `relative` times the norm of x (both as the root of murk_vector_norm2()), or
+ * after max_iterations. The first solve of a system starts from the best constant (the solution in
+ * an isothermal enclosure); it also tells whether light stays so long that the preconditioner pays,
+ * which is then made and kept in the system. Solves that follow are corrections and start from 0.
  */
 murk_status murk_conjugate_gradients(murk_system *system, const murk_vector *b, murk_vector *x,
                                      double relative, double absolute, int max_iterations,

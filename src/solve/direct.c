@@ -7,6 +7,7 @@
 #include "gauss_seidel.h"
 #include "lines.h"
 #include "pairwise.h"
+#include "preconditioner.h"
 #include "system.h"
 
 #include <math.h>
@@ -75,7 +76,7 @@ static murk_status gradients(murk_system *system, const murk_solve_options *opti
     if (status)
         return status;
     report->iterations = result.iterations;
-    report->residual = result.norm > 0 ? result.residual / result.norm : 0;
+    report->residual = result.residual;
     report->estimate_iteration = result.norm > 0 ? result.error / result.norm : 0;
     report->reached = report->estimate_iteration <= options->tolerance;
     return MURK_OK;
@@ -187,6 +188,7 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
     }
     murk_vector_clear(&b);
     murk_vector_clear(&x);
+    murk_preconditioner_release(system.preconditioner);
     system.method->release(system.state);
     if (!status && !report->reached)
         status = murk_fail(context, MURK_NOT_REACHED,

@@ -32,6 +32,7 @@ void murk_vector_copy(const murk_system *system, const murk_vector *from, murk_v
 void murk_vector_add(const murk_system *system, double a, const murk_vector *x, murk_vector *y)
 {
     float f = (float)a;
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
     for (size_t i = 0; i < system->slots; i++)
         y->zone[i] += f * x->zone[i];
     for (size_t i = 0; i < system->patches; i++)
@@ -41,37 +42,72 @@ void murk_vector_add(const murk_system *system, double a, const murk_vector *x, 
 void murk_vector_turn(const murk_system *system, const murk_vector *x, double a, murk_vector *y)
 {
     float f = (float)a;
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
     for (size_t i = 0; i < system->slots; i++)
         y->zone[i] = x->zone[i] + f * y->zone[i];
     for (size_t i = 0; i < system->patches; i++)
         y->patch[i] = x->patch[i] + f * y->patch[i];
 }
 
+/* ---- sums ---------------------------------------------------------------------------------- */
+
+/* The slots are cut into this many parts whatever the number of threads, and their sums added in
+   order: rounding does not depend on who did which. */
+enum { PARTS = 256 };
+
+static size_t part(const murk_system *system, int n)
+{
+    return system->slots / PARTS * (size_t)n + system->slots % PARTS * (size_t)n / PARTS;
+}
+
+static double sum_of(const double parts[PARTS])
+{
+    double sum = 0;
+    for (int n = 0; n < PARTS; n++)
+        sum += parts[n];
+    return sum;
+}
+
+/* 4 kappa V / albedo and A / rho, 0 in rows without scattering. */
+static double zone_weight(const murk_system *system, size_t i)
+{
+    float albedo = murk_value(&system->medium->albedo, i);
+    return albedo > 0 ? 4 * system->medium->grid->volume * system->medium->kappa_t[i] / albedo : 0;
+}
+
+static double patch_weight(const murk_system *system, size_t i)
+{
+    float reflectance = system->ground->reflectance[i];
+    return reflectance > 0 ? murk_ground_area(system->ground, i) / reflectance : 0;
+}
+
 double murk_vector_product(const murk_system *system, const murk_vector *x, const murk_vector *y)
 {
-    const murk_medium *medium = system->medium;
-    double volume = 4 * medium->grid->volume, sum = 0;
-#pragma omp parallel for num_threads(system->context->threads) schedule(static) reduction(+ : sum)
-    for (size_t i = 0; i < system->slots; i++) {
-        float albedo = murk_value(&medium->albedo, i);
-        if (albedo > 0)
-            sum += volume * medium->kappa_t[i] / albedo * x->zone[i] * y->zone[i];
+    double parts[PARTS], patches = 0;
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
+    for (int n = 0; n < PARTS; n++) {
+        double sum = 0;
+        for (size_t i = part(system, n); i < part(system, n + 1); i++)
+            sum += zone_weight(system, i) * x->zone[i] * y->zone[i];
+        parts[n] = sum;
     }
     for (size_t i = 0; i < system->patches; i++)
-        if (system->ground->reflectance[i] > 0)
-            sum += murk_ground_area(system->ground, i) / system->ground->reflectance[i] *
-                   x->patch[i] * y->patch[i];
-    return sum;
+        patches += patch_weight(system, i) * x->patch[i] * y->patch[i];
+    return sum_of(parts) + patches;
 }
 
 double murk_vector_norm2(const murk_system *system, const murk_vector *x)
 {
     const murk_medium *medium = system->medium;
-    double sum = 0;
-#pragma omp parallel for num_threads(system->context->threads) schedule(static) reduction(+ : sum)
-    for (size_t i = 0; i < system->slots; i++)
-        sum += (double)medium->kappa_t[i] * x->zone[i] * x->zone[i];
-    return sum * medium->grid->volume;
+    double parts[PARTS];
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
+    for (int n = 0; n < PARTS; n++) {
+        double sum = 0;
+        for (size_t i = part(system, n); i < part(system, n + 1); i++)
+            sum += (double)medium->kappa_t[i] * x->zone[i] * x->zone[i];
+        parts[n] = sum;
+    }
+    return sum_of(parts) * medium->grid->volume;
 }
 
 bool murk_vector_zero(const murk_system *system, const murk_vector *x)
@@ -84,6 +120,55 @@ bool murk_vector_zero(const murk_system *system, const murk_vector *x)
             return false;
     return true;
 }
+
+murk_sums murk_vector_sums(const murk_system *system, const murk_vector *r, const murk_vector *z)
+{
+    double rr[PARTS], rz[PARTS], z2[PARTS], patch_rr = 0, patch_rz = 0;
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
+    for (int n = 0; n < PARTS; n++) {
+        rr[n] = rz[n] = z2[n] = 0;
+        for (size_t i = part(system, n); i < part(system, n + 1); i++) {
+            double weight = zone_weight(system, i), u = r->zone[i], v = z->zone[i];
+            rr[n] += weight * u * u;
+            rz[n] += weight * u * v;
+            z2[n] += system->medium->kappa_t[i] * v * v;
+        }
+    }
+    for (size_t i = 0; i < system->patches; i++) {
+        double weight = patch_weight(system, i) * r->patch[i];
+        patch_rr += weight * r->patch[i];
+        patch_rz += weight * z->patch[i];
+    }
+    return (murk_sums){sum_of(rr) + patch_rr, sum_of(rz) + patch_rz,
+                       sum_of(z2) * system->medium->grid->volume};
+}
+
+double murk_vector_step(const murk_system *system, double a, const murk_vector *p,
+                        const murk_vector *q, murk_vector *x, murk_vector *r, double *x2)
+{
+    const float f = (float)a;
+    double xx[PARTS], norm2[PARTS], patches = 0;
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
+    for (int n = 0; n < PARTS; n++) {
+        xx[n] = norm2[n] = 0;
+        for (size_t i = part(system, n); i < part(system, n + 1); i++) {
+            x->zone[i] += f * p->zone[i];
+            r->zone[i] -= f * q->zone[i];
+            double u = x->zone[i];
+            xx[n] += zone_weight(system, i) * u * u;
+            norm2[n] += system->medium->kappa_t[i] * u * u;
+        }
+    }
+    for (size_t i = 0; i < system->patches; i++) {
+        x->patch[i] += f * p->patch[i];
+        r->patch[i] -= f * q->patch[i];
+        patches += patch_weight(system, i) * x->patch[i] * x->patch[i];
+    }
+    *x2 = sum_of(norm2) * system->medium->grid->volume;
+    return sum_of(xx) + patches;
+}
+
+/* ---- the system ---------------------------------------------------------------------------- */
 
 murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y)
 {

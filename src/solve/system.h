@@ -13,6 +13,8 @@ typedef struct murk_vector {
     float *patch;
 } murk_vector;
 
+typedef struct murk_preconditioner murk_preconditioner;
+
 /*
  * L x = b with (L x)_k = x_k - albedo_k (G x)_k / 4 for zones and x_i - rho_i H_i for patches. L is
  * self-adjoint and positive definite in the inner product
@@ -26,6 +28,10 @@ typedef struct murk_system {
     const murk_medium *medium;
     const murk_ground *ground;
     size_t slots, patches;
+    /* From the first solve on, for those that follow: the part of a uniform light that zones absorb
+       or let escape at once, and the preconditioner where it was made (the owner's to release). */
+    double escape;
+    murk_preconditioner *preconditioner;
 } murk_system;
 
 /* Light from sky and from the ground beyond all patches, as in murk_radiosity. */
@@ -40,11 +46,22 @@ void murk_vector_copy(const murk_system *system, const murk_vector *from, murk_v
 void murk_vector_add(const murk_system *system, double a, const murk_vector *x, murk_vector *y);
 /* y = x + a y */
 void murk_vector_turn(const murk_system *system, const murk_vector *x, double a, murk_vector *y);
+/* Sums are the same for any number of threads. */
 double murk_vector_product(const murk_system *system, const murk_vector *x, const murk_vector *y);
 /* Sum of kappa_t V x^2 over the zones: the norm that the tolerance is about, squared. */
 double murk_vector_norm2(const murk_system *system, const murk_vector *x);
 
 bool murk_vector_zero(const murk_system *system, const murk_vector *x);
+
+/* Sums that an iteration needs at a time: <r, r>, <r, z>, and the norm2 of z. */
+typedef struct murk_sums {
+    double rr, rz, z2;
+} murk_sums;
+
+murk_sums murk_vector_sums(const murk_system *system, const murk_vector *r, const murk_vector *z);
+/* x += a p and r -= a q; gives <x, x> and sets *x2 to the norm2 of x. */
+double murk_vector_step(const murk_system *system, double a, const murk_vector *p,
+                        const murk_vector *q, murk_vector *x, murk_vector *r, double *x2);
 
 /* y = L x */
 murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y);
