@@ -163,7 +163,7 @@ static murk_status iterate(murk_gradients *g, murk_vector *x, double relative, d
 {
     murk_status status = MURK_OK;
     bool done = false;
-    g->least = g->system->escape;
+    g->least = g->system->escape > 0 ? g->system->escape : 1; /* 1: nothing scatters */
     g->xx = murk_vector_product(g->system, x, x);
     g->x2 = murk_vector_norm2(g->system, x);
     murk_vector_copy(g->system, precondition(g), &g->p);

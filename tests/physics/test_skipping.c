@@ -243,10 +243,14 @@ static void one_camera(void **state)
         murk_camera camera;
     } cases[] = {
         {0.3, 0.95, {{2.2, -6, 2.2}, {1.2, 2.2, 3.2}, {0, 0, 1}, 8, {48, 48}}}, /* a detail */
-        {20, 0.6, {{-9, 2, 3}, {2.2, 2.2, 2.2}, {0, 0, 1}, 40, {48, 48}}},      /* the near side */
+        {20, 0.6, {{-9, 2, 2}, {2, 2, 2}, {0, 0, 1}, 40, {48, 48}}}, /* the near face of a block */
     };
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         fill_ball(kappa_t, EDGE, 0, cases[n].depth, 0);
+        for (int i = 0; cases[n].depth > 1 && i < CLOUD; i++) {
+            bool inside = i / EDGE / EDGE < 40 && i / EDGE % EDGE < 40 && i % EDGE < 40;
+            kappa_t[i] = inside ? (float)(cases[n].depth / 0.1) : 0;
+        }
         const murk_array array = array_of(kappa_t, EDGE, 0, cases[n].albedo);
         murk_image *image[2];
         struct world w;
