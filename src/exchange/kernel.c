@@ -90,33 +90,41 @@ static inline __attribute__((always_inline)) lanes capture(murk_depth depth, lan
                                       : capture_any(x);
 }
 
-/* Layer k; depth and bands are constants where inlined. */
-static inline __attribute__((always_inline)) void
-cross_layer(const murk_kernel_job *job, int k, uint32_t chunks, murk_depth depth, int bands)
+/* Chunk c of a layer over one segment; depth and bands are constants where inlined. */
+static inline __attribute__((always_inline)) void cross_chunk(const murk_kernel_job *job, int k,
+                                                              int c, float length, float *plane,
+                                                              murk_depth depth, int bands)
 {
     const lanes *kappa_t = (const lanes *)(job->kappa_t + 64 * k);
     const lanes *source = (const lanes *)(job->source + 64 * k);
     lanes *tally = (lanes *)(job->tally + 64 * k);
+    for (int j = 0; j < PIECES; j++) {
+        int n = c * PIECES + j;
+        lanes part = capture(depth, kappa_t[n] * length);
+        float *at = plane + 2 * c * job->stride;
+        for (int b = 0; b < bands; b++, at += job->band) {
+            lanes light = load_lines(at, job->stride, j);
+            lanes taken = part * (light - source[n + b * BAND]);
+            tally[n + b * BAND] += job->weight * taken;
+            store_lines(at, job->stride, j, light - taken);
+        }
+    }
+}
+
+static inline __attribute__((always_inline)) void
+cross_layer(const murk_kernel_job *job, int k, uint32_t chunks, murk_depth depth, int bands)
+{
     const murk_layer *layer = &job->layer[k];
-    ptrdiff_t stride = job->stride;
     for (int s = 0; s < layer->count; s++) {
         const murk_segment *segment = &layer->segment[s];
-        float *plane =
-            job->plane - (layer->shift[1] + segment->dv) * stride - (layer->shift[0] + segment->du);
-        for (uint32_t left = chunks; left; left &= left - 1) {
-            int c = __builtin_ctz(left);
-            for (int j = 0; j < PIECES; j++) {
-                int n = c * PIECES + j;
-                lanes part = capture(depth, kappa_t[n] * segment->length);
-                float *at = plane + 2 * c * stride;
-                for (int b = 0; b < bands; b++, at += job->band) {
-                    lanes light = load_lines(at, stride, j);
-                    lanes taken = part * (light - source[n + b * BAND]);
-                    tally[n + b * BAND] += job->weight * taken;
-                    store_lines(at, stride, j, light - taken);
-                }
-            }
-        }
+        float *plane = job->plane - (layer->shift[1] + segment->dv) * job->stride -
+                       (layer->shift[0] + segment->du);
+        if (chunks == 0xF) /* most are: no search for the next one */
+            for (int c = 0; c < MURK_LAYER_CHUNKS; c++)
+                cross_chunk(job, k, c, segment->length, plane, depth, bands);
+        else
+            for (uint32_t left = chunks; left; left &= left - 1)
+                cross_chunk(job, k, __builtin_ctz(left), segment->length, plane, depth, bands);
     }
 }
 

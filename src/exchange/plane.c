@@ -5,7 +5,7 @@
 
 /* Copies go in runs of this many lines, which no page boundary cuts. */
 enum { RUN = 8, COPY_STRIDE = 24, COPY_BAND = MURK_WINDOW * COPY_STRIDE };
-enum { LEAST_BITS = 6, MOST_BITS = 9 };
+enum { LEAST_BITS = 6, MOST_BITS = 7 };
 
 static size_t hash_place(int32_t u, int32_t v)
 {
@@ -164,19 +164,22 @@ void murk_plane_clear(murk_plane *plane)
 
 /* ---- windows ------------------------------------------------------------------------------- */
 
-/* Moves a window that lies across pages into its copy, or back; u and v are relative to base. */
-static void move(murk_plane *plane, murk_window *window, bool back)
+/* Moves a window that lies across pages into its copy, or back. */
+static void move(const murk_plane *plane, murk_window *window, bool back)
 {
-    int32_t in = (1 << plane->bits) - 1;
-    for (int row = 0; row < window->rows; row++)
-        for (int32_t u = window->u & ~(RUN - 1); u < window->u + window->columns; u += RUN) {
+    int32_t in = (1 << plane->bits) - 1, first = window->u & ~(RUN - 1);
+    int32_t pu = window->u >> plane->bits, pv = window->v >> plane->bits;
+    for (int32_t u = first; u < window->u + window->columns; u += RUN) {
+        int along = (u >> plane->bits) - pu;
+        for (int row = 0; row < window->rows; row++) {
             int32_t v = window->v + row;
-            int32_t page = find_page(plane, u >> plane->bits, v >> plane->bits);
+            int32_t page = window->page[(v >> plane->bits) - pv][along];
             float *there = page_lines(plane, page, u & in, v & in);
-            float *here = window->copy + row * COPY_STRIDE + u - (window->u & ~(RUN - 1));
+            float *here = window->copy + row * COPY_STRIDE + u - first;
             for (int b = 0; b < plane->bands; b++, there += band_stride(plane), here += COPY_BAND)
                 memcpy(back ? there : here, back ? here : there, RUN * sizeof *here);
         }
+    }
 }
 
 bool murk_plane_open(murk_plane *plane, int32_t u0, int32_t u1, int32_t v0, int32_t v1,
@@ -188,14 +191,13 @@ bool murk_plane_open(murk_plane *plane, int32_t u0, int32_t u1, int32_t v0, int3
     v1 -= plane->base[1];
     int32_t pu0 = u0 >> plane->bits, pu1 = u1 >> plane->bits;
     int32_t pv0 = v0 >> plane->bits, pv1 = v1 >> plane->bits;
-    int32_t page = -1;
     for (int32_t pv = pv0; pv <= pv1; pv++)
         for (int32_t pu = pu0; pu <= pu1; pu++) {
-            page = find_page(plane, pu, pv);
+            int32_t page = find_page(plane, pu, pv), u = pu << plane->bits, v = pv << plane->bits;
             if (page < 0)
                 return false;
-            int32_t u = pu << plane->bits, v = pv << plane->bits;
             enter_tiles(plane, page, u0 - u, u1 - u, v0 - v, v1 - v);
+            window->page[pv - pv0][pu - pu0] = page;
         }
     window->u = u0;
     window->v = v0;
@@ -209,14 +211,14 @@ bool murk_plane_open(murk_plane *plane, int32_t u0, int32_t u1, int32_t v0, int3
         move(plane, window, false);
     } else {
         int32_t in = (1 << plane->bits) - 1;
-        window->state = page_lines(plane, page, u0 & in, v0 & in);
+        window->state = page_lines(plane, window->page[0][0], u0 & in, v0 & in);
         window->stride = (ptrdiff_t)1 << plane->bits;
         window->band = band_stride(plane);
     }
     return true;
 }
 
-void murk_plane_close(murk_plane *plane, murk_window *window)
+void murk_plane_close(const murk_plane *plane, murk_window *window)
 {
     if (window->copied)
         move(plane, window, true);

@@ -9,8 +9,8 @@
  * Lines are kept in square pages that come into being where a brick first meets one of their lines,
  * and within a page the tiles of 8 x 8 lines that are met get their state from the boundary, the
  * rest none: memory follows the bricks and not the box around them, and a line keeps its state
- * across empty space at no cost. A page holds the whole lattice up to 512 lines each way, so that
- * windows on most media lie in one.
+ * across empty space at no cost. Larger pages are faster, since fewer windows lie across them, but
+ * waste more: 128 lines each way take as long as 512, and less memory.
  */
 typedef struct murk_plane {
     const murk_boundary *boundary;
@@ -32,7 +32,8 @@ typedef struct murk_plane {
 typedef struct murk_window {
     float *state;           /* of line (u, v), first band */
     ptrdiff_t stride, band; /* between rows, between bands */
-    int32_t u, v;           /* where the copy starts */
+    int32_t u, v;           /* of the window, from the plane's base */
+    int32_t page[2][2];     /* that it lies in: [along v][along u] from the first */
     int rows, columns;      /* of the lines asked for */
     bool copied;
     float copy[MURK_MOST_BANDS * MURK_WINDOW * 24]; /* used where the window lies across pages */
@@ -49,7 +50,7 @@ void murk_plane_clear(murk_plane *plane);
    memory runs out. */
 bool murk_plane_open(murk_plane *plane, int32_t u0, int32_t u1, int32_t v0, int32_t v1,
                      murk_window *window);
-void murk_plane_close(murk_plane *plane, murk_window *window);
+void murk_plane_close(const murk_plane *plane, murk_window *window);
 
 /* Whether no line of an open window carries more than `least` in any band. */
 bool murk_window_dark(const murk_window *window, int bands, float least);

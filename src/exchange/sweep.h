@@ -11,7 +11,7 @@ typedef struct murk_sweep murk_sweep;
 
 /* Lines of one set are shared out to threads in blocks of at most this many, all with one dominant
    axis and one way along it, so that a slab of bricks is laid out once for the block. */
-enum { MURK_BLOCK = 8 };
+enum { MURK_BLOCK = 16 };
 
 /* What sweeps have done since they were created. */
 typedef struct murk_traced {
