@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "sweep.h"
-
-#include "slabs.h"
+#include "sweep_state.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,43 +10,6 @@ static const double DARK = 1e-12;
 /* Voxels without extinction get this optical depth instead, which no line feels: so their mean of I
    comes from the same division by kappa_t as everywhere. */
 static const double CLEAR = 1e-12;
-
-struct block {
-    int first, count; /* lines, ordered by their octants */
-    int axis, sign;
-};
-
-/* Everything one thread writes to. */
-struct worker {
-    float *tally[MURK_MOST_BANDS]; /* of the first thread: the cargo's own */
-    double *patch_power[MURK_MOST_BANDS];
-    double net_power[MURK_MOST_BANDS];
-    double dark, beyond; /* crossings passed over */
-    float *slab;         /* the bricks of a slab, each kappa_t, sources and tallies, in layers */
-    murk_plane plane[MURK_BLOCK];
-};
-
-struct murk_sweep {
-    const murk_grid *grid;
-    const float *kappa_t;
-    float clear; /* kappa_t of voxels without extinction */
-    const murk_ground *ground;
-    murk_region region;
-    murk_line *line;
-    int line_count;
-    struct block *blocks;
-    int block_count;
-    murk_slabs slabs[3];
-    float *brick_kappa;    /* largest kappa_t of each brick */
-    float *brick_source;   /* largest source of each brick in any band of a run */
-    uint16_t *brick_zones; /* voxels with extinction */
-    double zones;
-    murk_kernel_fn *kernel;
-    const char *kernel_name;
-    struct worker *worker;
-    int worker_count;
-    murk_traced traced;
-};
 
 /* ---- preparation --------------------------------------------------------------------------- */
 
@@ -87,13 +48,14 @@ static bool make_blocks(murk_sweep *sweep, const murk_line *lines, int count, in
     qsort(keys, (size_t)count, sizeof *keys, compare_keys);
     for (int i = 0; i < count; i++) {
         sweep->line[i] = lines[keys[i].index];
-        struct block *last = sweep->block_count ? &sweep->blocks[sweep->block_count - 1] : NULL;
+        struct murk_block *last =
+            sweep->block_count ? &sweep->blocks[sweep->block_count - 1] : NULL;
         int axis = keys[i].key >> 4, sign = keys[i].key & 8 ? 1 : -1;
         if (last && last->count < most && last->axis == axis && last->sign == sign)
             last->count++;
         else
             sweep->blocks[sweep->block_count++] =
-                (struct block){.first = i, .count = 1, .axis = axis, .sign = sign};
+                (struct murk_block){.first = i, .count = 1, .axis = axis, .sign = sign};
     }
     sweep->line_count = count;
     murk_free(keys);
@@ -152,7 +114,7 @@ murk_status murk_sweep_create(murk_context *context, const murk_grid *grid, cons
 static void dismiss(murk_sweep *sweep)
 {
     for (int t = 0; t < sweep->worker_count; t++) {
-        struct worker *worker = &sweep->worker[t];
+        struct murk_worker *worker = &sweep->worker[t];
         for (int b = 0; b < MURK_MOST_BANDS; b++) {
             if (t)
                 murk_free(worker->tally[b]);
@@ -197,190 +159,6 @@ const murk_traced *murk_sweep_traced(const murk_sweep *sweep)
     return &sweep->traced;
 }
 
-/* ---- one block of lines -------------------------------------------------------------------- */
-
-struct run {
-    const murk_sweep *sweep;
-    const murk_cargo *cargo;
-    murk_incoming incoming[MURK_MOST_BANDS];
-    int bands;
-    double power_factor;
-    float dark; /* light up to this is none */
-};
-
-/* The lattices of a block, laid for a slab. */
-struct lattices {
-    murk_lattice lattice[MURK_BLOCK];
-    murk_boundary boundary[MURK_BLOCK];
-    murk_layers layers[MURK_BLOCK];
-};
-
-static size_t brick_floats(int bands)
-{
-    return (size_t)(1 + 2 * bands) * MURK_BRICK_SLOTS;
-}
-
-/* Lays out the bricks of a slab in layers. */
-static void load_slab(const struct run *run, const murk_slabs *slabs, int s, struct worker *worker)
-{
-    const murk_sweep *sweep = run->sweep;
-    float *layers = worker->slab;
-    for (size_t i = slabs->first[s]; i < slabs->first[s + 1]; i++) {
-        size_t from = (size_t)slabs->brick[i] * MURK_BRICK_SLOTS;
-        float *source = layers + MURK_BRICK_SLOTS;
-        murk_slabs_layers(slabs->axis, sweep->kappa_t + from, layers);
-        for (int slot = 0; slot < MURK_BRICK_SLOTS; slot++)
-            layers[slot] = layers[slot] > sweep->clear ? layers[slot] : sweep->clear;
-        for (int b = 0; b < run->bands; b++, source += MURK_BRICK_SLOTS) {
-            if (run->cargo[b].source)
-                murk_slabs_layers(slabs->axis, run->cargo[b].source + from, source);
-            else
-                memset(source, 0, MURK_BRICK_SLOTS * sizeof *source);
-        }
-        memset(source, 0, (size_t)run->bands * MURK_BRICK_SLOTS * sizeof *source);
-        layers += brick_floats(run->bands);
-    }
-}
-
-static void store_slab(const struct run *run, const murk_slabs *slabs, int s, struct worker *worker)
-{
-    const float *tally = worker->slab + (size_t)(1 + run->bands) * MURK_BRICK_SLOTS;
-    for (size_t i = slabs->first[s]; i < slabs->first[s + 1]; i++) {
-        for (int b = 0; b < run->bands; b++)
-            murk_slabs_add(slabs->axis, tally + b * MURK_BRICK_SLOTS,
-                           worker->tally[b] + (size_t)slabs->brick[i] * MURK_BRICK_SLOTS);
-        tally += brick_floats(run->bands);
-    }
-}
-
-/* Line i of the block through the brick at a position in its slab. */
-static bool cross_brick(const struct run *run, const struct lattices *lines, int i,
-                        const murk_slabs *slabs, int s, size_t at, struct worker *worker)
-{
-    const murk_sweep *sweep = run->sweep;
-    const murk_lattice *lattice = &lines->lattice[i];
-    const murk_layers *layers = &lines->layers[i];
-    size_t b = (size_t)slabs->brick[slabs->first[s] + at];
-    int32_t u = sweep->grid->brick[b][slabs->u] * MURK_BRICK_EDGE - sweep->grid->lo[slabs->u];
-    int32_t v = sweep->grid->brick[b][slabs->v] * MURK_BRICK_EDGE - sweep->grid->lo[slabs->v];
-    murk_window window;
-    if (!murk_plane_open(&worker->plane[i], u + layers->first[0], u + layers->last[0],
-                         v + layers->first[1], v + layers->last[1], &window))
-        return false;
-    if (sweep->brick_source[b] <= run->dark && murk_window_dark(&window, run->bands, run->dark)) {
-        worker->dark += sweep->brick_zones[b];
-        murk_plane_close(&worker->plane[i], &window);
-        return true;
-    }
-    float *bricks = worker->slab + at * brick_floats(run->bands);
-    sweep->kernel(&(murk_kernel_job){
-        .kappa_t = bricks,
-        .source = bricks + MURK_BRICK_SLOTS,
-        .tally = bricks + (size_t)(1 + run->bands) * MURK_BRICK_SLOTS,
-        .chunks = slabs->chunks[slabs->first[s] + at],
-        .bands = run->bands,
-        .depth = murk_depth_of(sweep->brick_kappa[b] * lattice->length),
-        .plane = window.state - layers->first[1] * window.stride - layers->first[0],
-        .stride = window.stride,
-        .band = window.band,
-        .layer = layers->layer,
-        .sign = lattice->sign,
-        .weight = (float)(lattice->weight / lattice->length),
-    });
-    murk_plane_close(&worker->plane[i], &window);
-    return true;
-}
-
-/* The lines of a block that go the same ways along u and v, first ... last, through a slab. */
-static bool cross_slab(const struct run *run, const struct lattices *lines, int first, int last,
-                       const murk_slabs *slabs, int s, struct worker *worker)
-{
-    const double *slope = lines->lattice[first].direction;
-    const bool up[3] = {slope[0] > 0, slope[1] > 0, slope[2] > 0};
-    bool up_u = up[slabs->u], up_v = up[slabs->v];
-    bool ends = run->sweep->region.limited &&
-                !(lines->boundary[first].heading < 0 && worker->patch_power[0]);
-    size_t start = slabs->first[s], count = slabs->first[s + 1] - start;
-    for (size_t n = 0; n < count; n++) {
-        size_t at = up_u ? n : count - 1 - n;
-        if (up_u != up_v)
-            at = (size_t)slabs->mixed[start + at] - start;
-        size_t b = (size_t)slabs->brick[start + at];
-        if (ends && !murk_region_ahead(&run->sweep->region, run->sweep->grid->brick[b], up)) {
-            worker->beyond += (last - first + 1) * (double)run->sweep->brick_zones[b];
-            continue;
-        }
-        for (int i = first; i <= last; i++)
-            if (!cross_brick(run, lines, i, slabs, s, at, worker))
-                return false;
-    }
-    return true;
-}
-
-/* First and last lines of a lattice that any brick can meet. */
-static void find_range(const murk_sweep *sweep, const murk_lattice *lattice,
-                       const murk_slabs *slabs, int32_t first[2], int32_t last[2])
-{
-    const int across[2] = {slabs->u, slabs->v};
-    for (int end = 0; end < 2; end++) {
-        murk_layers layers;
-        murk_lattice_layers(lattice, sweep->grid, slabs->row[end ? slabs->count - 1 : 0], &layers);
-        for (int c = 0; c < 2; c++) {
-            int32_t width = sweep->grid->hi[across[c]] - sweep->grid->lo[across[c]];
-            int32_t low = layers.first[c] - (MURK_BRICK_EDGE - 1), high = layers.last[c] + width;
-            first[c] = end && first[c] < low ? first[c] : low;
-            last[c] = end && last[c] > high ? last[c] : high;
-        }
-    }
-}
-
-static bool lay_lines(const struct run *run, const struct block *block, struct lattices *lines,
-                      struct worker *worker)
-{
-    const murk_sweep *sweep = run->sweep;
-    for (int i = 0; i < block->count; i++) {
-        int32_t first[2], last[2];
-        murk_lattice_lay(&lines->lattice[i], sweep->grid, &sweep->line[block->first + i]);
-        murk_boundary_lay(&lines->boundary[i], sweep->grid, sweep->ground, &lines->lattice[i],
-                          run->incoming[0].uniform);
-        find_range(sweep, &lines->lattice[i], &sweep->slabs[block->axis], first, last);
-        if (!murk_plane_reset(&worker->plane[i], &lines->boundary[i], run->incoming, run->bands,
-                              first, last))
-            return false;
-    }
-    return true;
-}
-
-static bool run_block(const struct run *run, const struct block *block, struct worker *worker)
-{
-    const murk_sweep *sweep = run->sweep;
-    const murk_slabs *slabs = &sweep->slabs[block->axis];
-    struct lattices lines;
-    if (!lay_lines(run, block, &lines, worker))
-        return false;
-    for (int n = 0; n < slabs->count; n++) {
-        int s = block->sign > 0 ? n : slabs->count - 1 - n;
-        load_slab(run, slabs, s, worker);
-        for (int i = 0; i < block->count; i++)
-            murk_lattice_layers(&lines.lattice[i], sweep->grid, slabs->row[s], &lines.layers[i]);
-        for (int first = 0, last; first < block->count; first = last + 1) {
-            int signs = murk_lattice_signs(lines.lattice[first].direction);
-            for (last = first; last + 1 < block->count; last++)
-                if (murk_lattice_signs(lines.lattice[last + 1].direction) != signs)
-                    break;
-            if (!cross_slab(run, &lines, first, last, slabs, s, worker))
-                return false;
-        }
-        if (worker->tally[0])
-            store_slab(run, slabs, s, worker);
-    }
-    for (int i = 0; i < block->count; i++)
-        murk_plane_leave(&worker->plane[i],
-                         run->power_factor * lines.lattice[i].weight * lines.lattice[i].area,
-                         worker->patch_power[0] ? worker->patch_power : NULL, worker->net_power);
-    return true;
-}
-
 /* ---- all blocks ---------------------------------------------------------------------------- */
 
 /* Gives each thread zeroed sums; their memory stays for the next run. */
@@ -398,9 +176,9 @@ static bool hire(murk_sweep *sweep, int count, const murk_cargo *cargo, int band
         sweep->worker_count = count;
     }
     for (int t = 0; t < count; t++) {
-        struct worker *worker = &sweep->worker[t];
+        struct murk_worker *worker = &sweep->worker[t];
         murk_free(worker->slab);
-        worker->slab = murk_alloc(widest, brick_floats(bands) * sizeof(float));
+        worker->slab = murk_alloc(widest, murk_laid_floats(bands) * sizeof(float));
         bool ok = worker->slab;
         for (int b = 0; ok && b < bands; b++) {
             if (!t)
@@ -424,7 +202,7 @@ static bool hire(murk_sweep *sweep, int count, const murk_cargo *cargo, int band
 
 static void sum_up(const murk_context *context, murk_sweep *sweep, murk_cargo *cargo, int b)
 {
-    const struct worker *worker = sweep->worker;
+    const struct murk_worker *worker = sweep->worker;
     size_t slots = sweep->grid->brick_count * MURK_BRICK_SLOTS;
     int count = sweep->worker_count;
     if (cargo->tally) {
@@ -492,7 +270,8 @@ murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, murk_cargo 
     double start = murk_seconds();
     int count = context->threads < sweep->block_count ? context->threads : sweep->block_count;
     count = count < 1 ? 1 : count;
-    struct run run = {.sweep = sweep, .cargo = cargo, .bands = bands, .power_factor = power_factor};
+    struct murk_run run = {
+        .sweep = sweep, .cargo = cargo, .bands = bands, .power_factor = power_factor};
     for (int b = 0; b < bands; b++)
         run.incoming[b] = cargo[b].incoming;
     float most = find_brightest(context, sweep, cargo, bands);
@@ -504,7 +283,7 @@ murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, murk_cargo 
 #pragma omp parallel for num_threads(count) schedule(static, 1) reduction(&& : ok)
         for (int t = 0; t < count; t++)
             for (int i = t; i < sweep->block_count; i += count)
-                ok = ok && run_block(&run, &sweep->blocks[i], &sweep->worker[t]);
+                ok = ok && murk_cross_block(&run, &sweep->blocks[i], &sweep->worker[t]);
     } else {
         sweep->traced.dark += lines;
     }

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* One block of lines through the medium, slab by slab. */
+#include "sweep_state.h"
+
+#include <string.h>
+
+/* The lattices of a block, laid for a slab. */
+struct lattices {
+    murk_lattice lattice[MURK_BLOCK];
+    murk_boundary boundary[MURK_BLOCK];
+    murk_layers layers[MURK_BLOCK];
+};
+
+/* Lays out the bricks of a slab in layers. */
+static void load_slab(const struct murk_run *run, const murk_slabs *slabs, int s,
+                      struct murk_worker *worker)
+{
+    const murk_sweep *sweep = run->sweep;
+    float *layers = worker->slab;
+    for (size_t i = slabs->first[s]; i < slabs->first[s + 1]; i++) {
+        size_t from = (size_t)slabs->brick[i] * MURK_BRICK_SLOTS;
+        float *source = layers + MURK_BRICK_SLOTS;
+        murk_slabs_layers(slabs->axis, sweep->kappa_t + from, layers);
+        for (int slot = 0; slot < MURK_BRICK_SLOTS; slot++)
+            layers[slot] = layers[slot] > sweep->clear ? layers[slot] : sweep->clear;
+        for (int b = 0; b < run->bands; b++, source += MURK_BRICK_SLOTS) {
+            if (run->cargo[b].source)
+                murk_slabs_layers(slabs->axis, run->cargo[b].source + from, source);
+            else
+                memset(source, 0, MURK_BRICK_SLOTS * sizeof *source);
+        }
+        memset(source, 0, (size_t)run->bands * MURK_BRICK_SLOTS * sizeof *source);
+        layers += murk_laid_floats(run->bands);
+    }
+}
+
+static void store_slab(const struct murk_run *run, const murk_slabs *slabs, int s,
+                       struct murk_worker *worker)
+{
+    const float *tally = worker->slab + (size_t)(1 + run->bands) * MURK_BRICK_SLOTS;
+    for (size_t i = slabs->first[s]; i < slabs->first[s + 1]; i++) {
+        for (int b = 0; b < run->bands; b++)
+            murk_slabs_add(slabs->axis, tally + b * MURK_BRICK_SLOTS,
+                           worker->tally[b] + (size_t)slabs->brick[i] * MURK_BRICK_SLOTS);
+        tally += murk_laid_floats(run->bands);
+    }
+}
+
+/* Line i of the block through the brick at a position in its slab. */
+static bool cross_brick(const struct murk_run *run, const struct lattices *lines, int i,
+                        const murk_slabs *slabs, int s, size_t at, struct murk_worker *worker)
+{
+    const murk_sweep *sweep = run->sweep;
+    const murk_lattice *lattice = &lines->lattice[i];
+    const murk_layers *layers = &lines->layers[i];
+    size_t b = (size_t)slabs->brick[slabs->first[s] + at];
+    int32_t u = sweep->grid->brick[b][slabs->u] * MURK_BRICK_EDGE - sweep->grid->lo[slabs->u];
+    int32_t v = sweep->grid->brick[b][slabs->v] * MURK_BRICK_EDGE - sweep->grid->lo[slabs->v];
+    murk_window window;
+    if (!murk_plane_open(&worker->plane[i], u + layers->first[0], u + layers->last[0],
+                         v + layers->first[1], v + layers->last[1], &window))
+        return false;
+    if (sweep->brick_source[b] <= run->dark && murk_window_dark(&window, run->bands, run->dark)) {
+        worker->dark += sweep->brick_zones[b];
+        murk_plane_close(&worker->plane[i], &window);
+        return true;
+    }
+    float *bricks = worker->slab + at * murk_laid_floats(run->bands);
+    sweep->kernel(&(murk_kernel_job){
+        .kappa_t = bricks,
+        .source = bricks + MURK_BRICK_SLOTS,
+        .tally = bricks + (size_t)(1 + run->bands) * MURK_BRICK_SLOTS,
+        .chunks = slabs->chunks[slabs->first[s] + at],
+        .bands = run->bands,
+        .depth = murk_depth_of(sweep->brick_kappa[b] * lattice->length),
+        .plane = window.state - layers->first[1] * window.stride - layers->first[0],
+        .stride = window.stride,
+        .band = window.band,
+        .layer = layers->layer,
+        .sign = lattice->sign,
+        .weight = (float)(lattice->weight / lattice->length),
+    });
+    murk_plane_close(&worker->plane[i], &window);
+    return true;
+}
+
+/* The lines of a block that go the same ways along u and v, first ... last, through a slab. */
+static bool cross_slab(const struct murk_run *run, const struct lattices *lines, int first,
+                       int last, const murk_slabs *slabs, int s, struct murk_worker *worker)
+{
+    const double *slope = lines->lattice[first].direction;
+    const bool up[3] = {slope[0] > 0, slope[1] > 0, slope[2] > 0};
+    bool up_u = up[slabs->u], up_v = up[slabs->v];
+    bool ends = run->sweep->region.limited &&
+                !(lines->boundary[first].heading < 0 && worker->patch_power[0]);
+    size_t start = slabs->first[s], count = slabs->first[s + 1] - start;
+    for (size_t n = 0; n < count; n++) {
+        size_t at = up_u ? n : count - 1 - n;
+        if (up_u != up_v)
+            at = (size_t)slabs->mixed[start + at] - start;
+        size_t b = (size_t)slabs->brick[start + at];
+        if (ends && !murk_region_ahead(&run->sweep->region, run->sweep->grid->brick[b], up)) {
+            worker->beyond += (last - first + 1) * (double)run->sweep->brick_zones[b];
+            continue;
+        }
+        for (int i = first; i <= last; i++)
+            if (!cross_brick(run, lines, i, slabs, s, at, worker))
+                return false;
+    }
+    return true;
+}
+
+/* First and last lines of a lattice that any brick can meet. */
+static void find_range(const murk_sweep *sweep, const murk_lattice *lattice,
+                       const murk_slabs *slabs, int32_t first[2], int32_t last[2])
+{
+    const int across[2] = {slabs->u, slabs->v};
+    for (int end = 0; end < 2; end++) {
+        murk_layers layers;
+        murk_lattice_layers(lattice, sweep->grid, slabs->row[end ? slabs->count - 1 : 0], &layers);
+        for (int c = 0; c < 2; c++) {
+            int32_t width = sweep->grid->hi[across[c]] - sweep->grid->lo[across[c]];
+            int32_t low = layers.first[c] - (MURK_BRICK_EDGE - 1), high = layers.last[c] + width;
+            first[c] = end && first[c] < low ? first[c] : low;
+            last[c] = end && last[c] > high ? last[c] : high;
+        }
+    }
+}
+
+static bool lay_lines(const struct murk_run *run, const struct murk_block *block,
+                      struct lattices *lines, struct murk_worker *worker)
+{
+    const murk_sweep *sweep = run->sweep;
+    for (int i = 0; i < block->count; i++) {
+        int32_t first[2], last[2];
+        murk_lattice_lay(&lines->lattice[i], sweep->grid, &sweep->line[block->first + i]);
+        murk_boundary_lay(&lines->boundary[i], sweep->grid, sweep->ground, &lines->lattice[i],
+                          run->incoming[0].uniform);
+        find_range(sweep, &lines->lattice[i], &sweep->slabs[block->axis], first, last);
+        if (!murk_plane_reset(&worker->plane[i], &lines->boundary[i], run->incoming, run->bands,
+                              first, last))
+            return false;
+    }
+    return true;
+}
+
+bool murk_cross_block(const struct murk_run *run, const struct murk_block *block,
+                      struct murk_worker *worker)
+{
+    const murk_sweep *sweep = run->sweep;
+    const murk_slabs *slabs = &sweep->slabs[block->axis];
+    struct lattices lines;
+    if (!lay_lines(run, block, &lines, worker))
+        return false;
+    for (int n = 0; n < slabs->count; n++) {
+        int s = block->sign > 0 ? n : slabs->count - 1 - n;
+        load_slab(run, slabs, s, worker);
+        for (int i = 0; i < block->count; i++)
+            murk_lattice_layers(&lines.lattice[i], sweep->grid, slabs->row[s], &lines.layers[i]);
+        for (int first = 0, last; first < block->count; first = last + 1) {
+            int signs = murk_lattice_signs(lines.lattice[first].direction);
+            for (last = first; last + 1 < block->count; last++)
+                if (murk_lattice_signs(lines.lattice[last + 1].direction) != signs)
+                    break;
+            if (!cross_slab(run, &lines, first, last, slabs, s, worker))
+                return false;
+        }
+        if (worker->tally[0])
+            store_slab(run, slabs, s, worker);
+    }
+    for (int i = 0; i < block->count; i++)
+        murk_plane_leave(&worker->plane[i],
+                         run->power_factor * lines.lattice[i].weight * lines.lattice[i].area,
+                         worker->patch_power[0] ? worker->patch_power : NULL, worker->net_power);
+    return true;
+}
