@@ -34,6 +34,8 @@ void murk_progress(murk_context *context, const char *stage, double done);
 /* Zeroed memory aligned to 64 bytes for count items of size bytes, NULL where it fails (count 0
    gives a valid pointer); release with murk_free. */
 void *murk_alloc(size_t count, size_t size);
+/* The same with any content: memory that is never touched costs none. */
+void *murk_alloc_unset(size_t count, size_t size);
 void murk_free(void *memory);
 
 /* Seconds of a monotonic clock. */

@@ -110,35 +110,15 @@ static bool cross_slab(const struct murk_run *run, const struct lattices *lines,
     return true;
 }
 
-/* First and last lines of a lattice that any brick can meet. */
-static void find_range(const murk_sweep *sweep, const murk_lattice *lattice,
-                       const murk_slabs *slabs, int32_t first[2], int32_t last[2])
-{
-    const int across[2] = {slabs->u, slabs->v};
-    for (int end = 0; end < 2; end++) {
-        murk_layers layers;
-        murk_lattice_layers(lattice, sweep->grid, slabs->row[end ? slabs->count - 1 : 0], &layers);
-        for (int c = 0; c < 2; c++) {
-            int32_t width = sweep->grid->hi[across[c]] - sweep->grid->lo[across[c]];
-            int32_t low = layers.first[c] - (MURK_BRICK_EDGE - 1), high = layers.last[c] + width;
-            first[c] = end && first[c] < low ? first[c] : low;
-            last[c] = end && last[c] > high ? last[c] : high;
-        }
-    }
-}
-
 static bool lay_lines(const struct murk_run *run, const struct murk_block *block,
                       struct lattices *lines, struct murk_worker *worker)
 {
     const murk_sweep *sweep = run->sweep;
     for (int i = 0; i < block->count; i++) {
-        int32_t first[2], last[2];
         murk_lattice_lay(&lines->lattice[i], sweep->grid, &sweep->line[block->first + i]);
         murk_boundary_lay(&lines->boundary[i], sweep->grid, sweep->ground, &lines->lattice[i],
                           run->incoming[0].uniform);
-        find_range(sweep, &lines->lattice[i], &sweep->slabs[block->axis], first, last);
-        if (!murk_plane_reset(&worker->plane[i], &lines->boundary[i], run->incoming, run->bands,
-                              first, last))
+        if (!murk_plane_reset(&worker->plane[i], &lines->boundary[i], run->incoming, run->bands))
             return false;
     }
     return true;

@@ -5,7 +5,6 @@
 
 /* Copies go in runs of this many lines, which no page boundary cuts. */
 enum { RUN = 8, COPY_STRIDE = 24, COPY_BAND = MURK_WINDOW * COPY_STRIDE };
-enum { LEAST_BITS = 6, MOST_BITS = 7 };
 
 static size_t hash_place(int32_t u, int32_t v)
 {
@@ -35,7 +34,7 @@ static bool grow(murk_plane *plane)
     size_t capacity = plane->capacity ? 2 * plane->capacity : 4;
     float **state = murk_alloc(capacity, sizeof *state);
     int32_t(*place)[2] = murk_alloc(capacity, sizeof *place);
-    uint64_t(*tiles)[64] = murk_alloc(capacity, sizeof *tiles);
+    uint64_t *tiles = murk_alloc(capacity, sizeof *tiles);
     int32_t *bucket = murk_alloc(2 * capacity, sizeof *bucket);
     if (!state || !place || !tiles || !bucket) {
         murk_free(state);
@@ -75,7 +74,8 @@ static int32_t find_page(murk_plane *plane, int32_t u, int32_t v)
     if (plane->count == plane->capacity && !grow(plane))
         return -1;
     if (plane->count == plane->made) {
-        plane->state[plane->made] = murk_alloc(plane->page_floats, sizeof(float));
+        plane->state[plane->made] =
+            murk_alloc_unset((size_t)plane->made_bands * MURK_PAGE_LINES, sizeof(float));
         if (!plane->state[plane->made])
             return -1;
         plane->made++;
@@ -83,42 +83,46 @@ static int32_t find_page(murk_plane *plane, int32_t u, int32_t v)
     int32_t page = (int32_t)plane->count++;
     plane->place[page][0] = u;
     plane->place[page][1] = v;
-    memset(plane->tiles[page], 0, sizeof *plane->tiles);
+    plane->tiles[page] = 0;
     enter_hash(plane, page);
     return page;
 }
 
-static ptrdiff_t band_stride(const murk_plane *plane)
+static int32_t page_of(int32_t line)
 {
-    return (ptrdiff_t)1 << 2 * plane->bits;
+    return line >> MURK_PAGE_BITS;
 }
 
-static float *page_lines(const murk_plane *plane, int32_t page, int u, int v)
+static int within(int32_t line)
 {
-    return plane->state[page] + ((ptrdiff_t)v << plane->bits) + u;
+    return line & (MURK_PAGE - 1);
 }
 
-/* Lets the lines of a page enter whose tiles the range u0 ... u1, v0 ... v1, relative to the page,
-   meets for the first time; the range is cut to the page. */
+/* Bits first ... last of 8. */
+static uint64_t run_of_bits(int first, int last)
+{
+    return (0xFFu >> (7 - last)) & (0xFFu << first);
+}
+
+/* Lets the lines of a page enter whose tiles the range u0 ... u1, v0 ... v1 meets for the first
+   time; the range is cut to the page. */
 static void enter_tiles(murk_plane *plane, int32_t page, int32_t u0, int32_t u1, int32_t v0,
                         int32_t v1)
 {
-    int32_t most = (1 << plane->bits) - 1;
-    int first = (u0 > 0 ? u0 : 0) / MURK_TILE, last = (u1 < most ? u1 : most) / MURK_TILE;
-    uint64_t run = ~(uint64_t)0 >> (63 - last + first) << first;
-    for (int row = (v0 > 0 ? v0 : 0) / MURK_TILE; row <= (v1 < most ? v1 : most) / MURK_TILE;
-         row++) {
-        uint64_t *met = &plane->tiles[page][row];
-        for (uint64_t fresh = run & ~*met; fresh; fresh &= fresh - 1) {
-            int at_u = __builtin_ctzll(fresh) * MURK_TILE, at_v = row * MURK_TILE;
-            murk_boundary_enter(plane->boundary, plane->incoming, plane->bands,
-                                (plane->place[page][0] << plane->bits) + plane->base[0] + at_u,
-                                (plane->place[page][1] << plane->bits) + plane->base[1] + at_v,
-                                page_lines(plane, page, at_u, at_v), (ptrdiff_t)1 << plane->bits,
-                                band_stride(plane), plane->entered);
-        }
-        *met |= run;
+    int32_t u = plane->place[page][0] * MURK_PAGE, v = plane->place[page][1] * MURK_PAGE;
+    int first_u = u0 > u ? (u0 - u) / MURK_TILE : 0, first_v = v0 > v ? (v0 - v) / MURK_TILE : 0;
+    int last_u = u1 < u + MURK_PAGE ? (u1 - u) / MURK_TILE : 7;
+    int last_v = v1 < v + MURK_PAGE ? (v1 - v) / MURK_TILE : 7;
+    uint64_t row = run_of_bits(first_u, last_u), met = 0;
+    for (int tile = first_v; tile <= last_v; tile++)
+        met |= row << 8 * tile;
+    for (uint64_t fresh = met & ~plane->tiles[page]; fresh; fresh &= fresh - 1) {
+        int bit = __builtin_ctzll(fresh), at_u = bit % 8 * MURK_TILE, at_v = bit / 8 * MURK_TILE;
+        murk_boundary_enter(plane->boundary, plane->incoming, plane->bands, u + at_u, v + at_v,
+                            plane->state[page] + at_v * MURK_PAGE + at_u, MURK_PAGE,
+                            MURK_PAGE_LINES, plane->entered);
     }
+    plane->tiles[page] |= met;
 }
 
 static void free_pages(murk_plane *plane)
@@ -129,23 +133,15 @@ static void free_pages(murk_plane *plane)
 }
 
 bool murk_plane_reset(murk_plane *plane, const murk_boundary *boundary,
-                      const murk_incoming *incoming, int bands, const int32_t first[2],
-                      const int32_t last[2])
+                      const murk_incoming *incoming, int bands)
 {
     plane->boundary = boundary;
     plane->incoming = incoming;
     plane->bands = bands;
     plane->count = 0;
-    plane->bits = LEAST_BITS;
-    for (int c = 0; c < 2; c++) {
-        plane->base[c] = first[c];
-        while (plane->bits < MOST_BITS && last[c] - first[c] >= 1 << plane->bits)
-            plane->bits++;
-    }
-    size_t floats = (size_t)bands << 2 * plane->bits;
-    if (floats > plane->page_floats) {
+    if (bands > plane->made_bands) {
         free_pages(plane);
-        plane->page_floats = floats;
+        plane->made_bands = bands;
     }
     memset(plane->entered, 0, sizeof plane->entered);
     clear_hash(plane);
@@ -167,16 +163,15 @@ void murk_plane_clear(murk_plane *plane)
 /* Moves a window that lies across pages into its copy, or back. */
 static void move(const murk_plane *plane, murk_window *window, bool back)
 {
-    int32_t in = (1 << plane->bits) - 1, first = window->u & ~(RUN - 1);
-    int32_t pu = window->u >> plane->bits, pv = window->v >> plane->bits;
+    int32_t first = window->u & ~(RUN - 1);
     for (int32_t u = first; u < window->u + window->columns; u += RUN) {
-        int along = (u >> plane->bits) - pu;
+        int along = page_of(u) - page_of(window->u);
         for (int row = 0; row < window->rows; row++) {
             int32_t v = window->v + row;
-            int32_t page = window->page[(v >> plane->bits) - pv][along];
-            float *there = page_lines(plane, page, u & in, v & in);
+            int32_t page = window->page[page_of(v) - page_of(window->v)][along];
+            float *there = plane->state[page] + within(v) * MURK_PAGE + within(u);
             float *here = window->copy + row * COPY_STRIDE + u - first;
-            for (int b = 0; b < plane->bands; b++, there += band_stride(plane), here += COPY_BAND)
+            for (int b = 0; b < plane->bands; b++, there += MURK_PAGE_LINES, here += COPY_BAND)
                 memcpy(back ? there : here, back ? here : there, RUN * sizeof *here);
         }
     }
@@ -185,18 +180,13 @@ static void move(const murk_plane *plane, murk_window *window, bool back)
 bool murk_plane_open(murk_plane *plane, int32_t u0, int32_t u1, int32_t v0, int32_t v1,
                      murk_window *window)
 {
-    u0 -= plane->base[0];
-    u1 -= plane->base[0];
-    v0 -= plane->base[1];
-    v1 -= plane->base[1];
-    int32_t pu0 = u0 >> plane->bits, pu1 = u1 >> plane->bits;
-    int32_t pv0 = v0 >> plane->bits, pv1 = v1 >> plane->bits;
+    int32_t pu0 = page_of(u0), pu1 = page_of(u1), pv0 = page_of(v0), pv1 = page_of(v1);
     for (int32_t pv = pv0; pv <= pv1; pv++)
         for (int32_t pu = pu0; pu <= pu1; pu++) {
-            int32_t page = find_page(plane, pu, pv), u = pu << plane->bits, v = pv << plane->bits;
+            int32_t page = find_page(plane, pu, pv);
             if (page < 0)
                 return false;
-            enter_tiles(plane, page, u0 - u, u1 - u, v0 - v, v1 - v);
+            enter_tiles(plane, page, u0, u1, v0, v1);
             window->page[pv - pv0][pu - pu0] = page;
         }
     window->u = u0;
@@ -210,10 +200,9 @@ bool murk_plane_open(murk_plane *plane, int32_t u0, int32_t u1, int32_t v0, int3
         window->band = COPY_BAND;
         move(plane, window, false);
     } else {
-        int32_t in = (1 << plane->bits) - 1;
-        window->state = page_lines(plane, window->page[0][0], u0 & in, v0 & in);
-        window->stride = (ptrdiff_t)1 << plane->bits;
-        window->band = band_stride(plane);
+        window->state = plane->state[window->page[0][0]] + within(v0) * MURK_PAGE + within(u0);
+        window->stride = MURK_PAGE;
+        window->band = MURK_PAGE_LINES;
     }
     return true;
 }
@@ -242,16 +231,15 @@ void murk_plane_leave(const murk_plane *plane, double power_per_line, double *co
                       double *net_power)
 {
     double left[MURK_MOST_BANDS] = {0};
-    for (int32_t page = 0; page < (int32_t)plane->count; page++)
-        for (int row = 0; row < 64; row++)
-            for (uint64_t met = plane->tiles[page][row]; met; met &= met - 1) {
-                int u = __builtin_ctzll(met) * MURK_TILE, v = row * MURK_TILE;
-                murk_boundary_leave(plane->boundary, plane->incoming, plane->bands,
-                                    (plane->place[page][0] << plane->bits) + plane->base[0] + u,
-                                    (plane->place[page][1] << plane->bits) + plane->base[1] + v,
-                                    page_lines(plane, page, u, v), (ptrdiff_t)1 << plane->bits,
-                                    band_stride(plane), power_per_line, patch_power, left);
-            }
+    for (size_t page = 0; page < plane->count; page++)
+        for (uint64_t met = plane->tiles[page]; met; met &= met - 1) {
+            int bit = __builtin_ctzll(met), u = bit % 8 * MURK_TILE, v = bit / 8 * MURK_TILE;
+            murk_boundary_leave(plane->boundary, plane->incoming, plane->bands,
+                                plane->place[page][0] * MURK_PAGE + u,
+                                plane->place[page][1] * MURK_PAGE + v,
+                                plane->state[page] + v * MURK_PAGE + u, MURK_PAGE, MURK_PAGE_LINES,
+                                power_per_line, patch_power, left);
+        }
     for (int b = 0; b < plane->bands; b++)
         net_power[b] += power_per_line * (plane->entered[b] - left[b]);
 }

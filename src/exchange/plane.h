@@ -5,25 +5,29 @@
 
 #include "boundary.h"
 
+/* A page is 64 x 64 lines, in 8 x 8 tiles: larger ones were no faster and took more memory. */
+enum {
+    MURK_PAGE_BITS = 6,
+    MURK_PAGE = 1 << MURK_PAGE_BITS,
+    MURK_PAGE_LINES = MURK_PAGE * MURK_PAGE
+};
+
 /*
- * Lines are kept in square pages that come into being where a brick first meets one of their lines,
- * and within a page the tiles of 8 x 8 lines that are met get their state from the boundary, the
- * rest none: memory follows the bricks and not the box around them, and a line keeps its state
- * across empty space at no cost. Larger pages are faster, since fewer windows lie across them, but
- * waste more: 128 lines each way take as long as 512, and less memory.
+ * Lines are kept in pages that come into being where a brick first meets one of their lines, and
+ * within a page the tiles that are met get their state from the boundary, the rest none: memory
+ * follows the bricks and not the box around them, and a line keeps its state across empty space at
+ * no cost.
  */
 typedef struct murk_plane {
     const murk_boundary *boundary;
     const murk_incoming *incoming; /* one a band */
     int bands;
-    int bits;                     /* a page is 2^bits x 2^bits lines */
-    int32_t base[2];              /* line (base[0], base[1]) is the first of page (0, 0) */
     int32_t (*place)[2];          /* page coordinates */
     float **state;                /* of each page: bands x rows v x columns u */
-    uint64_t (*tiles)[64];        /* which tiles of each page have been met: word v, bit u */
+    uint64_t *tiles;              /* which tiles of each page have been met: bit v * 8 + u */
     size_t count, made, capacity; /* pages in use, with memory, with a place in these arrays */
-    size_t page_floats;
-    int32_t *bucket; /* hash of page numbers, -1 where free */
+    int made_bands;               /* that their memory is for */
+    int32_t *bucket;              /* hash of page numbers, -1 where free */
     size_t bucket_mask;
     double entered[MURK_MOST_BANDS]; /* sums of the states as they entered */
 } murk_plane;
@@ -32,18 +36,16 @@ typedef struct murk_plane {
 typedef struct murk_window {
     float *state;           /* of line (u, v), first band */
     ptrdiff_t stride, band; /* between rows, between bands */
-    int32_t u, v;           /* of the window, from the plane's base */
+    int32_t u, v;           /* the first line */
     int32_t page[2][2];     /* that it lies in: [along v][along u] from the first */
     int rows, columns;      /* of the lines asked for */
     bool copied;
     float copy[MURK_MOST_BANDS * MURK_WINDOW * 24]; /* used where the window lies across pages */
 } murk_window;
 
-/* Starts anew for one lattice whose lines are first ... last along u and v; keeps the memory of
-   earlier ones. */
+/* Starts anew for one lattice; keeps the memory of earlier ones. */
 bool murk_plane_reset(murk_plane *plane, const murk_boundary *boundary,
-                      const murk_incoming *incoming, int bands, const int32_t first[2],
-                      const int32_t last[2]);
+                      const murk_incoming *incoming, int bands);
 void murk_plane_clear(murk_plane *plane);
 
 /* Lines u0 ... u1, v0 ... v1, at most MURK_WINDOW each way, entered where they are new. False when
