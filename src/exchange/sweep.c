@@ -62,8 +62,10 @@ static bool make_blocks(murk_sweep *sweep, const murk_line *lines, int count, in
     return true;
 }
 
-static void measure_bricks(murk_sweep *sweep)
+static void measure_bricks(const murk_context *context, murk_sweep *sweep)
 {
+    double all = 0;
+#pragma omp parallel for num_threads(context->threads) schedule(static) reduction(+ : all)
     for (size_t b = 0; b < sweep->grid->brick_count; b++) {
         const float *kappa_t = sweep->kappa_t + b * MURK_BRICK_SLOTS;
         float most = 0;
@@ -74,8 +76,9 @@ static void measure_bricks(murk_sweep *sweep)
         }
         sweep->brick_kappa[b] = most;
         sweep->brick_zones[b] = (uint16_t)zones;
-        sweep->zones += zones;
+        all += zones; /* whole numbers: in any order the same */
     }
+    sweep->zones = all;
 }
 
 murk_status murk_sweep_create(murk_context *context, const murk_grid *grid, const float *kappa_t,
@@ -96,8 +99,9 @@ murk_status murk_sweep_create(murk_context *context, const murk_grid *grid, cons
         sweep->brick_zones = murk_alloc(grid->brick_count, sizeof *sweep->brick_zones);
         bool ok = sweep->brick_kappa && sweep->brick_source && sweep->brick_zones &&
                   make_blocks(sweep, lines, line_count, context->threads);
-        for (int axis = 0; ok && axis < 3; axis++)
-            ok = murk_slabs_create(&sweep->slabs[axis], grid, axis);
+#pragma omp parallel for num_threads(context->threads) schedule(dynamic, 1) reduction(&& : ok)
+        for (int axis = 0; axis < 3; axis++)
+            ok = ok && murk_slabs_create(&sweep->slabs[axis], grid, axis);
         if (!ok)
             status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %d directions",
                                line_count);
@@ -106,7 +110,7 @@ murk_status murk_sweep_create(murk_context *context, const murk_grid *grid, cons
         murk_sweep_release(sweep);
         return status;
     }
-    measure_bricks(sweep);
+    measure_bricks(context, sweep);
     *out = sweep;
     return MURK_OK;
 }

@@ -34,6 +34,8 @@ static float margin_albedo(const murk_medium *medium, const int32_t voxel[3], do
 static double mean_albedo(const murk_medium *medium)
 {
     double sum = 0, weight = 0;
+    if (!medium->albedo.field)
+        return medium->albedo.constant;
     for (size_t i = 0; i < medium->grid->brick_count * MURK_BRICK_SLOTS; i++) {
         sum += (double)medium->kappa_t[i] * murk_value(&medium->albedo, i);
         weight += medium->kappa_t[i];

@@ -163,11 +163,12 @@ static void add_correction(murk_levels *levels)
     const murk_medium *medium = levels->solution->medium;
     const murk_stage *stage = levels->stage;
     const murk_grid *grid = levels->solution->grid;
-    size_t slots[MURK_BRICK_SLOTS];
     double all_added = 0, all_light = 0;
     float *ratio = murk_alloc(grid->brick_count, sizeof *ratio);
+#pragma omp parallel for num_threads(levels->context->threads) schedule(static)                    \
+    reduction(+ : all_added, all_light)
     for (size_t b = 0; b < medium->grid->brick_count; b++) {
-        size_t i = b * MURK_BRICK_SLOTS, o = murk_stage_slots(stage, b);
+        size_t slots[MURK_BRICK_SLOTS], i = b * MURK_BRICK_SLOTS, o = murk_stage_slots(stage, b);
         double added = 0, light = 0;
         murk_coarse_slots(medium->grid, coarse->medium->grid, coarse->shift, b, slots);
         for (size_t s = 0; s < MURK_BRICK_SLOTS; s++) {
@@ -185,6 +186,7 @@ static void add_correction(murk_levels *levels)
         all_light += light;
     }
     float mean = all_light > 0 ? (float)(all_added / all_light) : 0;
+#pragma omp parallel for num_threads(levels->context->threads) schedule(static)
     for (size_t b = 0; b < grid->brick_count; b++) {
         float r = ratio && ratio[b] != 0 && fabsf(ratio[b]) < 0.5f ? ratio[b] : mean;
         for (size_t o = b * MURK_BRICK_SLOTS; o < (b + 1) * MURK_BRICK_SLOTS; o++)
