@@ -170,6 +170,8 @@ static void add_correction(murk_levels *levels)
     for (size_t b = 0; b < medium->grid->brick_count; b++) {
         size_t slots[MURK_BRICK_SLOTS], i = b * MURK_BRICK_SLOTS, o = murk_stage_slots(stage, b);
         double added = 0, light = 0;
+        if (!murk_region_has(&levels->region, medium->grid->brick[b]))
+            continue; /* net does not hold there */
         murk_coarse_slots(medium->grid, coarse->medium->grid, coarse->shift, b, slots);
         for (size_t s = 0; s < MURK_BRICK_SLOTS; s++) {
             float kappa_t = medium->kappa_t[i + s];
@@ -262,7 +264,7 @@ static murk_status passes(murk_levels *levels)
             ratio = fmin(0.99, change / before);
         levels->iteration = change * ratio / (1 - ratio);
         before = change;
-        murk_progress(levels->context, "solve", 0.9 + 0.1 * (n + 1) / MOST_PASSES);
+        murk_progress(levels->context, "solve", 1 - 0.5 / (n + 2)); /* one or two are the rule */
         double goal = fmax(0.1 * o->tolerance, o->tolerance - levels->angular);
         if (levels->iteration <= goal || ratio > 0.9)
             break;
@@ -332,8 +334,10 @@ murk_status murk_solve_lines(murk_context *context, murk_solution *solution,
     murk_status status = murk_coarse_create(context, solution, stage, options, &levels.coarse);
     if (!status)
         status = murk_coarse_solve(&levels.coarse, options->start, 0.1 * options->tolerance);
+    murk_progress(context, "solve", 0.3);
     if (!status)
         status = choose_directions(&levels);
+    murk_progress(context, "solve", 0.5);
     double solved = murk_seconds();
     if (!status)
         status = finish(&levels);
