@@ -8,7 +8,6 @@
 struct murk_lines {
     murk_sweep *sweep;
     const murk_ground *ground;
-    int directions;
     double *patch_power; /* of MURK_MOST_BANDS bands */
     double flux; /* what makes the half-range flux onto the ground exact: 1/4 over its quadrature */
 };
@@ -73,7 +72,6 @@ murk_status murk_lines_create(murk_context *context, const murk_grid *grid, cons
     } else {
         set_lines(grid, &quadrature, rays, line);
         lines->ground = ground;
-        lines->directions = quadrature.count;
         lines->flux = ground ? flux_ratio(grid, ground, &quadrature) : 1;
         status = murk_sweep_create(context, grid, kappa_t, ground, line,
                                    quadrature.count * rays * rays, &lines->sweep);
@@ -94,11 +92,6 @@ void murk_lines_release(murk_lines *lines)
     murk_sweep_release(lines->sweep);
     murk_free(lines->patch_power);
     murk_free(lines);
-}
-
-int murk_lines_directions(const murk_lines *lines)
-{
-    return lines->directions;
 }
 
 const char *murk_lines_kernel(const murk_lines *lines)

@@ -17,7 +17,6 @@ murk_status murk_lines_create(murk_context *context, const murk_grid *grid, cons
                               const murk_ground *ground, int directions, int rays,
                               murk_lines **out);
 void murk_lines_release(murk_lines *lines);
-int murk_lines_directions(const murk_lines *lines);
 const char *murk_lines_kernel(const murk_lines *lines);
 
 const murk_traced *murk_lines_traced(const murk_lines *lines);

@@ -11,15 +11,6 @@ struct key {
     int32_t index;
 };
 
-static int compare(const void *a, const void *b)
-{
-    const struct key *p = a, *q = b;
-    for (int i = 0; i < 3; i++)
-        if (p->c[i] != q->c[i])
-            return p->c[i] < q->c[i] ? -1 : 1;
-    return 0;
-}
-
 /* Bit 4 layer + chunk of the 16 voxels of two rows. */
 static uint32_t find_chunks(const uint64_t mask[8], int axis)
 {
@@ -58,7 +49,7 @@ bool murk_slabs_create(murk_slabs *slabs, const murk_grid *grid, int axis)
     for (size_t b = 0; b < bricks; b++)
         keys[b] = (struct key){
             {grid->brick[b][axis], grid->brick[b][slabs->u], grid->brick[b][slabs->v]}, (int32_t)b};
-    qsort(keys, bricks, sizeof *keys, compare);
+    qsort(keys, bricks, sizeof *keys, murk_brick_compare);
     for (size_t i = 0; i < bricks; i++) {
         if (!i || keys[i].c[0] != keys[i - 1].c[0]) {
             slabs->row[slabs->count] = keys[i].c[0];
@@ -70,7 +61,7 @@ bool murk_slabs_create(murk_slabs *slabs, const murk_grid *grid, int axis)
         keys[i].index = (int32_t)i;
     }
     slabs->first[slabs->count] = bricks;
-    qsort(keys, bricks, sizeof *keys, compare);
+    qsort(keys, bricks, sizeof *keys, murk_brick_compare);
     for (size_t i = 0; i < bricks; i++)
         slabs->mixed[i] = keys[i].index;
     for (int s = 0; s < slabs->count; s++) {

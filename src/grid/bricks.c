@@ -21,3 +21,12 @@ void murk_bricks_clear(murk_bricks *bricks)
     murk_free(bricks->values);
     memset(bricks, 0, sizeof *bricks);
 }
+
+int murk_brick_compare(const void *a, const void *b)
+{
+    const int32_t *p = a, *q = b;
+    for (int c = 0; c < 3; c++)
+        if (p[c] != q[c])
+            return p[c] < q[c] ? -1 : 1;
+    return 0;
+}

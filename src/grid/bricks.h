@@ -34,6 +34,10 @@ void murk_bricks_place(murk_bricks *bricks, const double voxel_size[3], const do
 /* Frees the arrays (each from murk_alloc) and clears the struct. */
 void murk_bricks_clear(murk_bricks *bricks);
 
+/* Orders int32_t[3] coordinates, or structs that begin with them, as qsort() and bsearch() ask:
+   ascending in (x, y, z). */
+int murk_brick_compare(const void *a, const void *b);
+
 #ifdef __cplusplus
 }
 #endif

@@ -54,15 +54,6 @@ static void dilate_block(const block *in, int margin, uint64_t mask[8])
     }
 }
 
-static int compare_coordinates(const void *a, const void *b)
-{
-    const int32_t *u = a, *v = b;
-    for (int c = 0; c < 3; c++)
-        if (u[c] != v[c])
-            return u[c] < v[c] ? -1 : 1;
-    return 0;
-}
-
 /* Which of the 26 neighbours voxels of this brick can reach within margin. */
 static bool reaches(const uint64_t mask[8], int margin, int dx, int dy, int dz)
 {
@@ -98,9 +89,9 @@ murk_status murk_grid_dilate(murk_context *context, const murk_grid *grid, int m
                 bricks.brick[count][a] = grid->brick[b][a] + d[a];
             count++;
         }
-    qsort(bricks.brick, count, sizeof *bricks.brick, compare_coordinates);
+    qsort(bricks.brick, count, sizeof *bricks.brick, murk_brick_compare);
     for (size_t i = 0; i < count; i++)
-        if (!i || compare_coordinates(bricks.brick[i], bricks.brick[bricks.count - 1]))
+        if (!i || murk_brick_compare(bricks.brick[i], bricks.brick[bricks.count - 1]))
             memmove(bricks.brick[bricks.count++], bricks.brick[i], sizeof *bricks.brick);
 
     bricks.mask = murk_alloc(bricks.count, sizeof *bricks.mask);

@@ -35,14 +35,6 @@ static murk_status take_transform(murk_context *context, murk_grid *grid, const 
 
 /* ---- order and hash ------------------------------------------------------------------------ */
 
-static int compare_bricks(const int32_t *a, const int32_t *b)
-{
-    for (int c = 0; c < 3; c++)
-        if (a[c] != b[c])
-            return a[c] < b[c] ? -1 : 1;
-    return 0;
-}
-
 static size_t hash_brick(int32_t x, int32_t y, int32_t z)
 {
     uint64_t h = (uint64_t)(uint32_t)x * 0x9E3779B97F4A7C15u;
@@ -162,7 +154,7 @@ murk_status murk_grid_create(murk_context *context, const murk_bricks *bricks, b
     if (status)
         goto failed;
     for (size_t i = 1; i < bricks->count; i++)
-        if (compare_bricks(bricks->brick[i - 1], bricks->brick[i]) >= 0) {
+        if (murk_brick_compare(bricks->brick[i - 1], bricks->brick[i]) >= 0) {
             status = murk_fail(context, MURK_ERROR_INTERNAL, "bricks are out of order");
             goto failed;
         }

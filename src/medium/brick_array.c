@@ -11,15 +11,6 @@ struct place {
     size_t from;
 };
 
-static int compare_places(const void *a, const void *b)
-{
-    const struct place *p = a, *q = b;
-    for (int c = 0; c < 3; c++)
-        if (p->at[c] != q->at[c])
-            return p->at[c] < q->at[c] ? -1 : 1;
-    return 0;
-}
-
 /* The bricks in ascending order, from murk_alloc. */
 static murk_status sort(murk_context *context, const murk_brick_array *bricks, struct place **out)
 {
@@ -30,9 +21,9 @@ static murk_status sort(murk_context *context, const murk_brick_array *bricks, s
         memcpy(places[b].at, bricks->brick + 3 * b, sizeof places[b].at);
         places[b].from = b;
     }
-    qsort(places, bricks->count, sizeof *places, compare_places);
+    qsort(places, bricks->count, sizeof *places, murk_brick_compare);
     for (size_t b = 1; b < bricks->count; b++)
-        if (!compare_places(&places[b - 1], &places[b])) {
+        if (!murk_brick_compare(&places[b - 1], &places[b])) {
             const int32_t *at = places[b].at;
             murk_status status =
                 murk_fail(context, MURK_ERROR_INPUT, "bricks: brick (%d, %d, %d) is there twice",

@@ -23,15 +23,6 @@ static void find_place(const murk_grid *fine, int shift, size_t brick, int axis,
     }
 }
 
-static int compare(const void *a, const void *b)
-{
-    const int32_t *p = a, *q = b;
-    for (int c = 0; c < 3; c++)
-        if (p[c] != q[c])
-            return p[c] < q[c] ? -1 : 1;
-    return 0;
-}
-
 /* Coarse brick number n (of 8) that a fine brick can reach. */
 static void candidate(const struct place place[3], int n, int32_t out[3])
 {
@@ -64,9 +55,9 @@ static bool find_bricks(const murk_grid *fine, int shift, murk_bricks *out)
             if (met >> n & 1)
                 candidate(place, n, all[count++]);
     }
-    qsort(all, count, sizeof *all, compare);
+    qsort(all, count, sizeof *all, murk_brick_compare);
     for (size_t i = 0; i < count; i++)
-        if (!i || compare(all[i], all[unique - 1]))
+        if (!i || murk_brick_compare(all[i], all[unique - 1]))
             memmove(all[unique++], all[i], sizeof *all);
     out->count = unique;
     out->brick = all;
@@ -84,8 +75,8 @@ static void mark_voxels(const murk_grid *fine, int shift, murk_bricks *bricks)
         for (int n = 0; n < 8; n++) {
             int32_t key[3];
             candidate(place, n, key);
-            const int32_t(*at)[3] =
-                bsearch(key, bricks->brick, bricks->count, sizeof *bricks->brick, compare);
+            const int32_t(*at)[3] = bsearch(key, bricks->brick, bricks->count,
+                                            sizeof *bricks->brick, murk_brick_compare);
             found[n] = at ? (size_t)(at - (const int32_t(*)[3])bricks->brick) : 0;
         }
         for (int slot = 0; slot < MURK_BRICK_SLOTS; slot++)

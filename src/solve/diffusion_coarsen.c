@@ -24,14 +24,6 @@ static bool allocate(murk_diffusion *d)
     return d->brick && d->neighbour && d->face && d->sink;
 }
 
-static int compare(const int32_t *a, const int32_t *b)
-{
-    for (int c = 0; c < 3; c++)
-        if (a[c] != b[c])
-            return a[c] < b[c] ? -1 : 1;
-    return 0;
-}
-
 /* ---- within bricks ------------------------------------------------------------------------- */
 
 /* Half the resistance of face p of the lines through `brick`, 0 beyond the bricks. */
@@ -90,7 +82,7 @@ struct member {
 static int compare_members(const void *a, const void *b)
 {
     const struct member *u = a, *v = b;
-    int order = compare(u->parent, v->parent);
+    int order = murk_brick_compare(u->parent, v->parent);
     return order ? order : (u->child > v->child) - (u->child < v->child);
 }
 
@@ -99,7 +91,7 @@ static int32_t find(const murk_diffusion *d, const int32_t at[3])
     size_t low = 0, high = d->brick_count;
     while (low < high) {
         size_t middle = (low + high) / 2;
-        int order = compare(d->brick[middle], at);
+        int order = murk_brick_compare(d->brick[middle], at);
         if (!order)
             return (int32_t)middle;
         if (order < 0)
@@ -158,7 +150,7 @@ static murk_status coarsen_bricks(murk_context *context, const murk_diffusion *f
         qsort(members, bricks, sizeof *members, compare_members);
     out->brick_count = 0;
     for (size_t i = 0; members && of && i < bricks; i++) {
-        out->brick_count += !i || compare(members[i].parent, members[i - 1].parent);
+        out->brick_count += !i || murk_brick_compare(members[i].parent, members[i - 1].parent);
         of[members[i].child] = (int32_t)out->brick_count - 1;
     }
     if (!members || !of || !allocate(out)) {
