@@ -32,6 +32,9 @@ typedef struct murk_radiosity {
     const float *patch;
     double sky;     /**< pi * radiance of the sky */
     double horizon; /**< radiosity of the ground beyond all patches */
+    /** Change of B across the zones along the grid's axes, where a method has been told which zones
+     *  have one; NULL: B is constant in each zone. */
+    const float *slope;
 } murk_radiosity;
 
 /** Bands that an operator takes at once. */
@@ -41,6 +44,7 @@ enum { MURK_MOST_BANDS = 3 };
 typedef struct murk_incident {
     float *zone;  /**< G/4 - B of each zone; undefined in slots that are no zones */
     float *patch; /**< H of each patch */
+    float *slope; /**< like the zones', of slopes as in murk_radiosity; NULL: not asked for */
     /** Power [W] that enters the medium from the sky and the ground minus what leaves it. */
     double net_power;
 } murk_incident;

@@ -11,6 +11,40 @@ struct lattices {
     murk_layers layers[MURK_BLOCK];
 };
 
+/* Slopes in the order of the kernel: along u, v and the dominant axis. */
+static void order_of(const murk_slabs *slabs, int order[3])
+{
+    order[0] = slabs->u;
+    order[1] = slabs->v;
+    order[2] = slabs->axis;
+}
+
+static void load_slopes(const struct murk_run *run, const murk_slabs *slabs, int32_t place,
+                        float *slope)
+{
+    int order[3];
+    order_of(slabs, order);
+    memset(slope, 0, 2 * (size_t)run->bands * MURK_BENT_SLOTS * sizeof *slope);
+    for (int b = 0; b < run->bands; b++)
+        for (int a = 0; a < 3 && run->cargo[b].slope; a++)
+            murk_slabs_layers(slabs->axis,
+                              run->cargo[b].slope + (size_t)place * MURK_BENT_SLOTS +
+                                  order[a] * MURK_BRICK_SLOTS,
+                              slope + (3 * b + a) * MURK_BRICK_SLOTS);
+}
+
+static void store_slopes(const struct murk_run *run, const murk_slabs *slabs, int32_t place,
+                         const float *tally, struct murk_worker *worker)
+{
+    int order[3];
+    order_of(slabs, order);
+    for (int b = 0; b < run->bands; b++)
+        for (int a = 0; a < 3; a++)
+            murk_slabs_add(slabs->axis, tally + (3 * b + a) * MURK_BRICK_SLOTS,
+                           worker->slope_tally[b] + (size_t)place * MURK_BENT_SLOTS +
+                               order[a] * MURK_BRICK_SLOTS);
+}
+
 /* Lays out the bricks of a slab in layers. */
 static void load_slab(const struct murk_run *run, const murk_slabs *slabs, int s,
                       struct murk_worker *worker)
@@ -30,19 +64,27 @@ static void load_slab(const struct murk_run *run, const murk_slabs *slabs, int s
                 memset(source, 0, MURK_BRICK_SLOTS * sizeof *source);
         }
         memset(source, 0, (size_t)run->bands * MURK_BRICK_SLOTS * sizeof *source);
-        layers += murk_laid_floats(run->bands);
+        if (run->bent && sweep->bent->place[slabs->brick[i]] != MURK_NOT_BENT)
+            load_slopes(run, slabs, sweep->bent->place[slabs->brick[i]],
+                        layers + murk_laid_flat(run->bands));
+        layers += murk_laid_floats(run->bands, run->bent);
     }
 }
 
 static void store_slab(const struct murk_run *run, const murk_slabs *slabs, int s,
                        struct murk_worker *worker)
 {
-    const float *tally = worker->slab + (size_t)(1 + run->bands) * MURK_BRICK_SLOTS;
+    const float *layers = worker->slab;
+    const size_t tally = (size_t)(1 + run->bands) * MURK_BRICK_SLOTS;
+    const size_t slopes = murk_laid_flat(run->bands) + (size_t)run->bands * MURK_BENT_SLOTS;
     for (size_t i = slabs->first[s]; i < slabs->first[s + 1]; i++) {
         for (int b = 0; b < run->bands; b++)
-            murk_slabs_add(slabs->axis, tally + b * MURK_BRICK_SLOTS,
+            murk_slabs_add(slabs->axis, layers + tally + b * MURK_BRICK_SLOTS,
                            worker->tally[b] + (size_t)slabs->brick[i] * MURK_BRICK_SLOTS);
-        tally += murk_laid_floats(run->bands);
+        if (run->bent && run->sweep->bent->place[slabs->brick[i]] != MURK_NOT_BENT)
+            store_slopes(run, slabs, run->sweep->bent->place[slabs->brick[i]], layers + slopes,
+                         worker);
+        layers += murk_laid_floats(run->bands, run->bent);
     }
 }
 
@@ -65,11 +107,16 @@ static bool cross_brick(const struct murk_run *run, const struct lattices *lines
         murk_plane_close(&worker->plane[i], &window);
         return true;
     }
-    float *bricks = worker->slab + at * murk_laid_floats(run->bands);
+    float *bricks = worker->slab + at * murk_laid_floats(run->bands, run->bent);
+    float *slope = run->bent && sweep->bent->place[b] != MURK_NOT_BENT
+                       ? bricks + murk_laid_flat(run->bands)
+                       : NULL;
     sweep->kernel(&(murk_kernel_job){
         .kappa_t = bricks,
         .source = bricks + MURK_BRICK_SLOTS,
         .tally = bricks + (size_t)(1 + run->bands) * MURK_BRICK_SLOTS,
+        .slope = slope,
+        .slope_tally = slope ? slope + (size_t)run->bands * MURK_BENT_SLOTS : NULL,
         .chunks = slabs->chunks[slabs->first[s] + at],
         .bands = run->bands,
         .depth = murk_depth_of(sweep->brick_kappa[b] * lattice->length),

@@ -111,15 +111,74 @@ static inline __attribute__((always_inline)) void cross_chunk(const murk_kernel_
     }
 }
 
+/* The three of a segment with slopes: e, h and q h. Where x is small h = -x^2 p(x) by its series, for
+   e q - 1 is a difference of equals. */
+struct bend {
+    lanes e, h, k;
+};
+
+static inline struct bend bend_of(lanes x)
+{
+    const lanes small = x - x + 0.7f;
+    whole below = x < small;
+    lanes y = (lanes)((below & (whole)x) | (~below & (whole)small));
+    lanes z = (lanes)((below & (whole)small) | (~below & (whole)x));
+    lanes p =
+        1 / 12.f -
+        y * (1 / 24.f -
+             y * (1 / 80.f -
+                  y * (1 / 360.f - y * (1 / 2016.f - y * (1 / 13440.f - y * (1 / 103680.f))))));
+    lanes e = capture_any(x), q = 0.5f + 1 / z, h = e * q - 1;
+    lanes h_series = -y * y * p, k_series = -y * (0.5f * y + 1) * p;
+    return (struct bend){e, (lanes)((below & (whole)h_series) | (~below & (whole)h)),
+                         (lanes)((below & (whole)k_series) | (~below & (whole)(q * h)))};
+}
+
+/* The same as cross_chunk() where sources have slopes. */
+static inline __attribute__((always_inline)) void bend_chunk(const murk_kernel_job *job, int k,
+                                                             int c, const murk_segment *segment,
+                                                             float *plane, int bands)
+{
+    const lanes *kappa_t = (const lanes *)(job->kappa_t + 64 * k);
+    const lanes *source = (const lanes *)(job->source + 64 * k);
+    const lanes *slope = (const lanes *)(job->slope + 64 * k);
+    lanes *tally = (lanes *)(job->tally + 64 * k);
+    lanes *slope_tally = (lanes *)(job->slope_tally + 64 * k);
+    const float *m = segment->middle, *d = segment->change;
+    for (int j = 0; j < PIECES; j++) {
+        int n = c * PIECES + j;
+        struct bend bend = bend_of(kappa_t[n] * segment->length);
+        float *at = plane + 2 * c * job->stride;
+        for (int b = 0; b < bands; b++, at += job->band) {
+            const lanes *s = slope + n + 3 * b * BAND;
+            lanes light = load_lines(at, job->stride, j);
+            lanes above = light - source[n + b * BAND] - s[0] * m[0] - s[BAND] * m[1] -
+                          s[2 * BAND] * m[2];
+            lanes gain = s[0] * d[0] + s[BAND] * d[1] + s[2 * BAND] * d[2];
+            lanes taken = bend.e * above + bend.h * gain;
+            lanes uneven = job->weight * (bend.h * above + bend.k * gain);
+            store_lines(at, job->stride, j, light - taken);
+            taken *= job->weight;
+            tally[n + b * BAND] += taken;
+            for (int a = 0; a < 3; a++)
+                slope_tally[n + (3 * b + a) * BAND] += m[a] * taken + d[a] * uneven;
+        }
+    }
+}
+
 static inline __attribute__((always_inline)) void
-cross_layer(const murk_kernel_job *job, int k, uint32_t chunks, murk_depth depth, int bands)
+cross_layer(const murk_kernel_job *job, int k, uint32_t chunks, murk_depth depth, int bands,
+            bool bent)
 {
     const murk_layer *layer = &job->layer[k];
     for (int s = 0; s < layer->count; s++) {
         const murk_segment *segment = &layer->segment[s];
         float *plane = job->plane - (layer->shift[1] + segment->dv) * job->stride -
                        (layer->shift[0] + segment->du);
-        if (chunks == 0xF) /* most are: no search for the next one */
+        if (bent)
+            for (uint32_t left = chunks; left; left &= left - 1)
+                bend_chunk(job, k, __builtin_ctz(left), segment, plane, bands);
+        else if (chunks == 0xF) /* most are: no search for the next one */
             for (int c = 0; c < MURK_LAYER_CHUNKS; c++)
                 cross_chunk(job, k, c, segment->length, plane, depth, bands);
         else
@@ -129,32 +188,34 @@ cross_layer(const murk_kernel_job *job, int k, uint32_t chunks, murk_depth depth
 }
 
 static inline __attribute__((always_inline)) void cross(const murk_kernel_job *job,
-                                                        murk_depth depth, int bands)
+                                                        murk_depth depth, int bands, bool bent)
 {
     for (int k = job->sign > 0 ? 0 : 7; k >= 0 && k < 8; k += job->sign) {
         uint32_t chunks = job->chunks >> (MURK_LAYER_CHUNKS * k) & 0xF;
         if (chunks)
-            cross_layer(job, k, chunks, depth, bands);
+            cross_layer(job, k, chunks, depth, bands, bent);
     }
 }
 
 static inline __attribute__((always_inline)) void choose_bands(const murk_kernel_job *job,
-                                                               murk_depth depth)
+                                                               murk_depth depth, bool bent)
 {
     if (job->bands == 1)
-        cross(job, depth, 1);
+        cross(job, depth, 1, bent);
     else if (job->bands == 2)
-        cross(job, depth, 2);
+        cross(job, depth, 2, bent);
     else
-        cross(job, depth, 3);
+        cross(job, depth, 3, bent);
 }
 
 void MURK_KERNEL_NAME(const murk_kernel_job *job)
 {
-    if (job->depth == MURK_DEPTH_FAINT)
-        choose_bands(job, MURK_DEPTH_FAINT);
+    if (job->slope)
+        choose_bands(job, MURK_DEPTH_ANY, true);
+    else if (job->depth == MURK_DEPTH_FAINT)
+        choose_bands(job, MURK_DEPTH_FAINT, false);
     else if (job->depth == MURK_DEPTH_THIN)
-        choose_bands(job, MURK_DEPTH_THIN);
+        choose_bands(job, MURK_DEPTH_THIN, false);
     else
-        choose_bands(job, MURK_DEPTH_ANY);
+        choose_bands(job, MURK_DEPTH_ANY, false);
 }

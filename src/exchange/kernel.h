@@ -23,11 +23,22 @@ static inline murk_depth murk_depth_of(double x)
  *     t = (1 - exp(-x)) (I - B);   tally += weight t;   I -= t
  * so that what a zone takes from a line is exactly what the line loses, at any optical depth. The
  * tally is left to be divided by kappa_t.
+ *
+ * With slopes the source is B + slope . p at p, in voxels from the zone's middle. A segment with
+ * its middle at m, that goes c far, sees D = I - B - slope . m and g = slope . c, and does, with
+ * e = 1 - exp(-x), q = 1/2 + 1/x and h = e q - 1,
+ *     t0 = e D + h g;   t1 = h D + q h g;   tally += weight t0;   I -= t0
+ *     slope_tally += weight (m t0 + c t1),
+ * the integrals of kappa_t (I - source) and of that times p: exact, and symmetric in source and
+ * tally (EQUATIONS.md, "Sources that vary within a zone").
  */
 typedef struct murk_kernel_job {
     const float *kappa_t; /* > 0 [1/m] */
     const float *source;  /* B [W/m^2] */
     float *tally;
+    /* Along u, v and the dominant axis, each like source, for each band; NULL: none. */
+    const float *slope;
+    float *slope_tally;
     uint32_t chunks; /* bit 4 layer + chunk: the chunk holds something */
     int bands;
     murk_depth depth;

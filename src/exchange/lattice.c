@@ -28,15 +28,31 @@ static double crossing(double from, double change)
     return 2;
 }
 
-static void lay_layer(murk_layer *layer, const double entry[2], const double change[2],
+/* A segment from t0 to t1 in the layer, d voxels from that of the entry. */
+static murk_segment lay_segment(const double from[2], const double change[2], int sign,
+                                const int d[2], double t0, double t1, double length)
+{
+    double middle = (t0 + t1) / 2;
+    murk_segment segment = {.du = d[0], .dv = d[1], .length = (float)((t1 - t0) * length)};
+    for (int c = 0; c < 2; c++) {
+        segment.middle[c] = (float)(from[c] + change[c] * middle - d[c] - 0.5);
+        segment.change[c] = (float)(change[c] * (t1 - t0));
+    }
+    segment.middle[2] = (float)(sign * (middle - 0.5));
+    segment.change[2] = (float)(sign * (t1 - t0));
+    return segment;
+}
+
+static void lay_layer(murk_layer *layer, const double entry[2], const double change[2], int sign,
                       double length)
 {
-    double at[2];
+    double at[2], from[2];
     int step[2];
     for (int c = 0; c < 2; c++) {
         double cell = floor(entry[c]);
         layer->shift[c] = (int32_t)cell;
-        at[c] = crossing(entry[c] - cell, change[c]);
+        from[c] = entry[c] - cell;
+        at[c] = crossing(from[c], change[c]);
         step[c] = change[c] > 0 ? 1 : -1;
     }
     double t = 0;
@@ -46,10 +62,7 @@ static void lay_layer(murk_layer *layer, const double entry[2], const double cha
         int c = at[0] <= at[1] ? 0 : 1;
         double next = at[c] < 1 ? at[c] : 1;
         if (next > t) {
-            layer->segment[layer->count++] = (murk_segment){.du = d[0],
-                                                            .dv = d[1],
-                                                            .length = (float)((next - t) * length),
-                                                            .fraction = (float)(next - t)};
+            layer->segment[layer->count++] = lay_segment(from, change, sign, d, t, next, length);
             t = next;
         }
         if (!(at[c] < 1))
@@ -96,7 +109,7 @@ void murk_lattice_layers(const murk_lattice *lattice, const murk_grid *grid, int
             entry[c] = lattice->offset[c] + lattice->slope[c] * (c_in - lattice->middle);
             change[c] = lattice->slope[c] * lattice->sign;
         }
-        lay_layer(&out->layer[k], entry, change, lattice->length);
+        lay_layer(&out->layer[k], entry, change, lattice->sign, lattice->length);
         for (int s = 0; s < out->layer[k].count; s++) {
             const murk_segment *segment = &out->layer[k].segment[s];
             const int d[2] = {segment->du, segment->dv};

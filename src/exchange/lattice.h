@@ -18,7 +18,9 @@ typedef struct murk_line {
 typedef struct murk_segment {
     int du, dv;
     float length;   /* m */
-    float fraction; /* of the line's length within the layer; these sum to 1 */
+    /* Along u, v and the dominant axis, in voxels: where the segment's middle lies, from that of its
+       voxel, and how far it goes. */
+    float middle[3], change[3];
 } murk_segment;
 
 /* One layer of voxels: all lines cross it in the same pattern of at most three segments. Line r

@@ -104,6 +104,11 @@ void murk_lines_limit(murk_lines *lines, const murk_region *region)
     murk_sweep_limit(lines->sweep, region);
 }
 
+void murk_lines_bend(murk_lines *lines, const murk_bent *bent)
+{
+    murk_sweep_bend(lines->sweep, bent);
+}
+
 const murk_traced *murk_lines_traced(const murk_lines *lines)
 {
     return murk_sweep_traced(lines->sweep);
@@ -117,8 +122,10 @@ murk_status murk_lines_apply(murk_context *context, murk_lines *lines, const mur
     for (int b = 0; b < bands; b++)
         cargo[b] = (murk_cargo){
             .source = in[b].zone,
+            .slope = in[b].slope,
             .incoming = {.patch = in[b].patch, .sky = in[b].sky, .horizon = in[b].horizon},
             .tally = out[b].zone,
+            .slope_tally = out[b].slope,
             .patch_power = patches ? lines->patch_power + b * patches : NULL};
     murk_status status = murk_sweep_run(context, lines->sweep, cargo, bands, 4);
     for (int b = 0; !status && b < bands; b++) {

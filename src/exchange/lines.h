@@ -20,7 +20,8 @@ void murk_lines_release(murk_lines *lines);
 const char *murk_lines_kernel(const murk_lines *lines);
 
 const murk_traced *murk_lines_traced(const murk_lines *lines);
-/* As murk_sweep_limit(). */
+/* As murk_sweep_bend(), murk_sweep_limit(). */
+void murk_lines_bend(murk_lines *lines, const murk_bent *bent);
 void murk_lines_limit(murk_lines *lines, const murk_region *region);
 
 /* As exchange.h says, for 1 ... MURK_MOST_BANDS bands at once; zone and patch of out may be NULL

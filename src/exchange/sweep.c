@@ -120,8 +120,10 @@ static void dismiss(murk_sweep *sweep)
     for (int t = 0; t < sweep->worker_count; t++) {
         struct murk_worker *worker = &sweep->worker[t];
         for (int b = 0; b < MURK_MOST_BANDS; b++) {
-            if (t)
+            if (t) {
                 murk_free(worker->tally[b]);
+                murk_free(worker->slope_tally[b]);
+            }
             murk_free(worker->patch_power[b]);
         }
         murk_free(worker->slab);
@@ -153,6 +155,12 @@ void murk_sweep_limit(murk_sweep *sweep, const murk_region *region)
     sweep->region = *region;
 }
 
+void murk_sweep_bend(murk_sweep *sweep, const murk_bent *bent)
+{
+    sweep->bent = bent && bent->count ? bent : NULL;
+    dismiss(sweep);
+}
+
 const char *murk_sweep_kernel(const murk_sweep *sweep)
 {
     return sweep->kernel_name;
@@ -165,10 +173,21 @@ const murk_traced *murk_sweep_traced(const murk_sweep *sweep)
 
 /* ---- all blocks ---------------------------------------------------------------------------- */
 
+/* Zeroed, made if it is not there. */
+static bool clear(float **tally, size_t slots)
+{
+    if (*tally)
+        memset(*tally, 0, slots * sizeof **tally);
+    else
+        *tally = murk_alloc(slots, sizeof **tally);
+    return *tally;
+}
+
 /* Gives each thread zeroed sums; their memory stays for the next run. */
-static bool hire(murk_sweep *sweep, int count, const murk_cargo *cargo, int bands)
+static bool hire(murk_sweep *sweep, int count, const murk_cargo *cargo, int bands, bool bent)
 {
     size_t slots = sweep->grid->brick_count * MURK_BRICK_SLOTS, widest = 0;
+    size_t slopes = bent ? sweep->bent->count * MURK_BENT_SLOTS : 0;
     size_t patches = sweep->ground && cargo->patch_power ? sweep->ground->patch_count : 0;
     for (int axis = 0; axis < 3; axis++)
         widest = sweep->slabs[axis].widest > widest ? sweep->slabs[axis].widest : widest;
@@ -182,16 +201,15 @@ static bool hire(murk_sweep *sweep, int count, const murk_cargo *cargo, int band
     for (int t = 0; t < count; t++) {
         struct murk_worker *worker = &sweep->worker[t];
         murk_free(worker->slab);
-        worker->slab = murk_alloc(widest, murk_laid_floats(bands) * sizeof(float));
+        worker->slab = murk_alloc(widest, murk_laid_floats(bands, bent) * sizeof(float));
         bool ok = worker->slab;
         for (int b = 0; ok && b < bands; b++) {
-            if (!t)
+            if (!t) {
                 worker->tally[b] = cargo[b].tally;
-            if (cargo->tally && worker->tally[b])
-                memset(worker->tally[b], 0, slots * sizeof(float));
-            else if (cargo->tally)
-                worker->tally[b] = murk_alloc(slots, sizeof(float));
-            ok = !cargo->tally || worker->tally[b];
+                worker->slope_tally[b] = cargo[b].slope_tally;
+            }
+            ok = (!cargo->tally || clear(&worker->tally[b], slots)) &&
+                 (!slopes || clear(&worker->slope_tally[b], slopes));
             murk_free(worker->patch_power[b]);
             worker->patch_power[b] = patches ? murk_alloc(patches, sizeof(double)) : NULL;
             ok = ok && (!patches || worker->patch_power[b]);
@@ -202,6 +220,26 @@ static bool hire(murk_sweep *sweep, int count, const murk_cargo *cargo, int band
         worker->dark = worker->beyond = 0;
     }
     return true;
+}
+
+/* A linear fit has 12 times the moment for its slope: the mean of p^2 over a voxel is 1/12. */
+static void sum_slopes(const murk_context *context, murk_sweep *sweep, murk_cargo *cargo, int b)
+{
+    const struct murk_worker *worker = sweep->worker;
+    int count = sweep->worker_count;
+#pragma omp parallel for num_threads(context->threads) schedule(static)
+    for (size_t brick = 0; brick < sweep->grid->brick_count; brick++) {
+        if (sweep->bent->place[brick] == MURK_NOT_BENT)
+            continue;
+        size_t first = (size_t)sweep->bent->place[brick] * MURK_BENT_SLOTS;
+        const float *kappa_t = sweep->kappa_t + brick * MURK_BRICK_SLOTS;
+        for (size_t i = 0; i < MURK_BENT_SLOTS; i++) {
+            float sum = 0, kappa = kappa_t[i % MURK_BRICK_SLOTS];
+            for (int t = 0; t < count; t++)
+                sum += worker[t].slope_tally[b][first + i];
+            cargo->slope_tally[first + i] = kappa > 0 ? 12 * sum / kappa : 0;
+        }
+    }
 }
 
 static void sum_up(const murk_context *context, murk_sweep *sweep, murk_cargo *cargo, int b)
@@ -218,6 +256,8 @@ static void sum_up(const murk_context *context, murk_sweep *sweep, murk_cargo *c
             cargo->tally[i] = sum / fmaxf(sweep->kappa_t[i], sweep->clear);
         }
     }
+    if (cargo->slope_tally && sweep->bent)
+        sum_slopes(context, sweep, cargo, b);
     for (size_t i = 0; cargo->patch_power && sweep->ground && i < sweep->ground->patch_count; i++) {
         cargo->patch_power[i] = 0;
         for (int t = 0; t < count; t++)
@@ -278,9 +318,10 @@ murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, murk_cargo 
         .sweep = sweep, .cargo = cargo, .bands = bands, .power_factor = power_factor};
     for (int b = 0; b < bands; b++)
         run.incoming[b] = cargo[b].incoming;
+    run.bent = sweep->bent && cargo->slope_tally;
     float most = find_brightest(context, sweep, cargo, bands);
     run.dark = (float)(DARK * most);
-    bool ok = hire(sweep, count, cargo, bands);
+    bool ok = hire(sweep, count, cargo, bands, run.bent);
     double lines = sweep->zones * sweep->line_count;
     sweep->traced.crossings += lines;
     if (ok && most > 0 && sweep->grid->brick_count) {

@@ -3,6 +3,7 @@
 #ifndef MURK_EXCHANGE_SWEEP_H
 #define MURK_EXCHANGE_SWEEP_H
 
+#include "bent.h"
 #include "kernel.h"
 #include "plane.h"
 #include "region.h"
@@ -34,17 +35,24 @@ void murk_sweep_release(murk_sweep *sweep);
    ground. Tallies are then of use in the region alone, and net powers are of none. */
 void murk_sweep_limit(murk_sweep *sweep, const murk_region *region);
 
+/* Lets sources vary linearly within the zones of some bricks; kept by the caller. */
+void murk_sweep_bend(murk_sweep *sweep, const murk_bent *bent);
+
 const char *murk_sweep_kernel(const murk_sweep *sweep);
 const murk_traced *murk_sweep_traced(const murk_sweep *sweep);
 
 /* One band of what is carried and what comes of it. */
 typedef struct murk_cargo {
     const float *source;    /* B per slot; NULL: none */
+    const float *slope;     /* of the bent bricks; NULL: none */
     murk_incoming incoming; /* `uniform` is the same in all bands */
     /* Sum over lines of weight * phi * (I - B), phi = (1 - exp(-x)) / x: for a full set of
        directions G/4 - B; of use in active slots, where there is no extinction too. NULL: not
        wanted. */
     float *tally;
+    /* The same, for each bent brick, as the slopes of a linear fit to it. Written if not NULL, which
+       is the same in all bands; then `tally` is wanted, too. */
+    float *slope_tally;
     /* Power per unit weight and area factor that arrives at each patch beyond what would without
        the medium; NULL: not wanted. Overwritten. */
     double *patch_power;

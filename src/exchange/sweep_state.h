@@ -14,10 +14,11 @@ struct murk_block {
 /* Everything one thread writes to. */
 struct murk_worker {
     float *tally[MURK_MOST_BANDS]; /* of the first thread: the cargo's own */
+    float *slope_tally[MURK_MOST_BANDS]; /* likewise */
     double *patch_power[MURK_MOST_BANDS];
     double net_power[MURK_MOST_BANDS];
     double dark, beyond; /* crossings passed over */
-    float *slab;         /* the bricks of a slab, each kappa_t, sources and tallies, in layers */
+    float *slab; /* the bricks of a slab, each kappa_t, sources, tallies and those of slopes, in layers */
     murk_plane plane[MURK_BLOCK];
 };
 
@@ -27,6 +28,7 @@ struct murk_sweep {
     float clear; /* kappa_t of voxels without extinction */
     const murk_ground *ground;
     murk_region region;
+    const murk_bent *bent; /* or NULL */
     murk_line *line;
     int line_count;
     struct murk_block *blocks;
@@ -48,14 +50,20 @@ struct murk_run {
     const murk_cargo *cargo;
     murk_incoming incoming[MURK_MOST_BANDS];
     int bands;
+    bool bent;        /* with slopes */
     double power_factor;
     float dark; /* light up to this is none */
 };
 
-/* Of a brick laid out in a slab: kappa_t, sources and tallies. */
-static inline size_t murk_laid_floats(int bands)
+/* Of a brick laid out in a slab: kappa_t, sources and tallies, then slopes and their tallies. */
+static inline size_t murk_laid_flat(int bands)
 {
     return (size_t)(1 + 2 * bands) * MURK_BRICK_SLOTS;
+}
+
+static inline size_t murk_laid_floats(int bands, bool bent)
+{
+    return murk_laid_flat(bands) + (bent ? 2 * (size_t)bands * MURK_BENT_SLOTS : 0);
 }
 
 /* Carries the lines of a block through the whole medium; false when memory runs out. */

@@ -106,8 +106,11 @@ static murk_status finish(murk_context *context, murk_solution *solution, const 
     murk_stage_spread(stage, solution->medium->grid, x->zone, solution->radiosity);
     const double sky = M_PI * solution->sky_radiance;
     const murk_radiosity in[2] = {
-        {solution->radiosity, ground ? x->patch : NULL, sky, solution->horizon},
-        {NULL, ground ? x->patch : NULL, sky, solution->horizon}};
+        {.zone = solution->radiosity,
+         .patch = ground ? x->patch : NULL,
+         .sky = sky,
+         .horizon = solution->horizon},
+        {.patch = ground ? x->patch : NULL, .sky = sky, .horizon = solution->horizon}};
     murk_incident out[2] = {{.zone = net[0], .patch = ground ? incident[0] : NULL},
                             {.zone = net[1], .patch = ground ? incident[1] : NULL}};
     if (!status)

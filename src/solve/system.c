@@ -196,8 +196,13 @@ murk_status murk_system_residual(murk_system *system, const murk_vector *direct,
     const murk_medium *medium = system->medium;
     bool ground = system->ground;
     const float *patch = x && ground ? x->patch : NULL;
-    const murk_radiosity in[2] = {{x ? x->zone : NULL, patch, around->sky, around->horizon},
-                                  {NULL, patch, around->sky, around->horizon}};
+    const murk_radiosity in[2] = {{.zone = x ? x->zone : NULL,
+                                   .patch = patch,
+                                   .sky = around->sky,
+                                   .horizon = around->horizon},
+                                  {.patch = patch,
+                                   .sky = around->sky,
+                                   .horizon = around->horizon}};
     murk_incident out[2] = {{.zone = r->zone, .patch = ground ? r->patch : NULL}};
     if (diffuse)
         out[1] = (murk_incident){.zone = scratch->zone, .patch = ground ? scratch->patch : NULL};

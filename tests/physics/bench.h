@@ -122,9 +122,11 @@ static inline struct element_values some_values(const struct bench *b, uint64_t 
 static inline double apply(const struct bench *b, const struct element_values *in, double sky,
                            double horizon, struct element_values *out)
 {
-    const murk_radiosity radiosity = {in ? in->zone : NULL, in && b->patches ? in->patch : NULL,
-                                      sky, horizon};
-    murk_incident incident = {out->zone, b->patches ? out->patch : NULL, 0};
+    const murk_radiosity radiosity = {.zone = in ? in->zone : NULL,
+                                      .patch = in && b->patches ? in->patch : NULL,
+                                      .sky = sky,
+                                      .horizon = horizon};
+    murk_incident incident = {.zone = out->zone, .patch = b->patches ? out->patch : NULL};
     if (b->method->apply(b->world.context, b->operator, & radiosity, &incident, 1))
         fail_msg("%s", murk_context_message(b->world.context));
     return incident.net_power;

@@ -176,14 +176,17 @@ static void check_bands(const struct bench *b, const struct scene *scene)
     for (int n = 0; n < MURK_MOST_BANDS; n++) {
         in[n] = some_values(b, &random);
         out[n] = make_values(b);
-        light[n] = (murk_radiosity){n == 1 ? NULL : in[n].zone,
-                                    b->patches && n < 2 ? in[n].patch : NULL, 0.3 * n, 0.1};
-        incident[n] = (murk_incident){out[n].zone, b->patches ? out[n].patch : NULL, 0};
+        light[n] = (murk_radiosity){.zone = n == 1 ? NULL : in[n].zone,
+                                    .patch = b->patches && n < 2 ? in[n].patch : NULL,
+                                    .sky = 0.3 * n,
+                                    .horizon = 0.1};
+        incident[n] =
+            (murk_incident){.zone = out[n].zone, .patch = b->patches ? out[n].patch : NULL};
     }
     assert_int_equal(
         b->method->apply(b->world.context, b->operator, light, incident, MURK_MOST_BANDS), MURK_OK);
     for (int n = 0; n < MURK_MOST_BANDS; n++) {
-        murk_incident one = {alone.zone, b->patches ? alone.patch : NULL, 0};
+        murk_incident one = {.zone = alone.zone, .patch = b->patches ? alone.patch : NULL};
         assert_int_equal(b->method->apply(b->world.context, b->operator, & light[n], &one, 1),
                          MURK_OK);
         assert_within(incident[n].net_power, one.net_power, 1e-6 * (1 + fabs(one.net_power)));

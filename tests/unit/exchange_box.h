@@ -106,8 +106,9 @@ static inline double apply(box *b, const double *x, double sky, double horizon, 
         zone[b->slot[k]] = (float)x[k];
     for (size_t i = 0; i < b->patches; i++)
         patch[i] = (float)x[b->zones + i];
-    murk_radiosity in = {zone, b->ground ? patch : NULL, sky, horizon};
-    murk_incident out = {net, b->ground ? irradiance : NULL, 0};
+    murk_radiosity in = {
+        .zone = zone, .patch = b->ground ? patch : NULL, .sky = sky, .horizon = horizon};
+    murk_incident out = {.zone = net, .patch = b->ground ? irradiance : NULL};
     assert_int_equal(murk_exchange_pairwise.apply(b->context, b->operator, & in, &out, 1), MURK_OK);
     for (size_t k = 0; k < b->zones; k++)
         y[k] = net[b->slot[k]];

@@ -17,15 +17,19 @@ static void follow(const murk_grid *grid, const murk_lattice *lattice, const mur
     double sum = 0;
     for (int s = 0; s < layer->count; s++) {
         const murk_segment *segment = &layer->segment[s];
-        double within = sum + segment->fraction / 2;
+        double part = segment->length / lattice->length, within = sum + part / 2;
         double at = c + (lattice->sign > 0 ? within : 1 - within);
         const int32_t cell[2] = {ru + layer->shift[0] + segment->du,
                                  rv + layer->shift[1] + segment->dv};
         for (int n = 0; n < 2; n++) {
             double x = position(lattice, n, n ? rv : ru, at);
             assert_true(x >= cell[n] - 1e-6 && x <= cell[n] + 1 + 1e-6);
+            assert_within(segment->middle[n], x - cell[n] - 0.5, 1e-6);
+            assert_within(segment->change[n], lattice->slope[n] * lattice->sign * part, 1e-6);
         }
-        sum += segment->fraction;
+        assert_within(segment->middle[2], at - c - 0.5, 1e-6);
+        assert_within(segment->change[2], lattice->sign * part, 1e-6);
+        sum += part;
         int32_t voxel[3];
         voxel[lattice->axis] = c;
         voxel[lattice->u] = cell[0];
@@ -52,12 +56,9 @@ static void cross_brick(const murk_grid *grid, const murk_lattice *lattice, size
         const murk_layer *layer = &layers.layer[k];
         double sum = 0;
         assert_in_range(layer->count, 1, 3);
-        for (int s = 0; s < layer->count; s++) {
-            sum += layer->segment[s].fraction;
-            assert_within(layer->segment[s].length, layer->segment[s].fraction * lattice->length,
-                          1e-6 * lattice->length);
-        }
-        assert_within(sum, 1, 1e-6); /* fractions are floats */
+        for (int s = 0; s < layer->count; s++)
+            sum += layer->segment[s].length;
+        assert_within(sum / lattice->length, 1, 1e-6); /* lengths are floats */
         for (int32_t rv = layers.first[1]; rv <= layers.last[1]; rv++)
             for (int32_t ru = layers.first[0]; ru <= layers.last[0]; ru++)
                 follow(grid, lattice, layer, low[lattice->axis] + k, low[lattice->u] + ru,
