@@ -373,11 +373,16 @@ typedef struct murk_report {
                                   iterated, in voxels; 1: none were merged */
     double residual;         /**< relative; lines: on the fine level, before the last correction */
     double tolerance;        /**< as asked */
-    double estimate;         /**< relative error estimated: iteration and angular parts */
-    double estimate_iteration, estimate_angular;
-    bool reached;                  /**< estimate <= tolerance */
-    double multiplications;        /**< [BG91] eq. (18) for this scene: what all stored factors
-                                        would cost per iteration */
+    double estimate;         /**< relative error estimated: the sum of its parts */
+    double estimate_angular; /**< of directions and the lines that stand for each */
+    double
+        estimate_lattice; /**< of it, what the lines bring in: its root of squares with the rest */
+    double estimate_spatial; /**< of light that varies within a zone otherwise than was reckoned */
+    double estimate_iteration;
+    int subdivision;        /**< lines: voxels were cut into this many each way for solving */
+    bool reached;           /**< estimate <= tolerance */
+    double multiplications; /**< [BG91] eq. (18) for this scene: what all stored factors
+                                 would cost per iteration */
     double multiplications_window; /**< [BG91] eq. (19); 0 without a window */
     double energy_emitted;         /**< by the zones: sum of 4 kappa_a E V */
     double energy_sun;             /**< sunlight extinguished in the zones */

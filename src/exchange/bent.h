@@ -11,9 +11,17 @@
  */
 typedef struct murk_bent {
     size_t count;   /* of bricks with slopes */
+    int32_t *brick; /* of the grid, ascending */
     int32_t *place; /* of each brick of the grid among them, or MURK_NOT_BENT */
 } murk_bent;
 
 enum { MURK_NOT_BENT = -1, MURK_BENT_SLOTS = 3 * MURK_BRICK_SLOTS };
+
+/* The grid's slot of a slope. */
+static inline size_t murk_bent_slot(const murk_bent *bent, size_t slope)
+{
+    return (size_t)bent->brick[slope / MURK_BENT_SLOTS] * MURK_BRICK_SLOTS +
+           slope % MURK_BRICK_SLOTS;
+}
 
 #endif

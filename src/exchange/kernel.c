@@ -111,8 +111,8 @@ static inline __attribute__((always_inline)) void cross_chunk(const murk_kernel_
     }
 }
 
-/* The three of a segment with slopes: e, h and q h. Where x is small h = -x^2 p(x) by its series, for
-   e q - 1 is a difference of equals. */
+/* The three of a segment with slopes: e, h and q h. Where x is small h = -x^2 p(x) by its series,
+   for e q - 1 is a difference of equals. */
 struct bend {
     lanes e, h, k;
 };
@@ -152,8 +152,8 @@ static inline __attribute__((always_inline)) void bend_chunk(const murk_kernel_j
         for (int b = 0; b < bands; b++, at += job->band) {
             const lanes *s = slope + n + 3 * b * BAND;
             lanes light = load_lines(at, job->stride, j);
-            lanes above = light - source[n + b * BAND] - s[0] * m[0] - s[BAND] * m[1] -
-                          s[2 * BAND] * m[2];
+            lanes above =
+                light - source[n + b * BAND] - s[0] * m[0] - s[BAND] * m[1] - s[2 * BAND] * m[2];
             lanes gain = s[0] * d[0] + s[BAND] * d[1] + s[2 * BAND] * d[2];
             lanes taken = bend.e * above + bend.h * gain;
             lanes uneven = job->weight * (bend.h * above + bend.k * gain);
@@ -166,9 +166,9 @@ static inline __attribute__((always_inline)) void bend_chunk(const murk_kernel_j
     }
 }
 
-static inline __attribute__((always_inline)) void
-cross_layer(const murk_kernel_job *job, int k, uint32_t chunks, murk_depth depth, int bands,
-            bool bent)
+static inline __attribute__((always_inline)) void cross_layer(const murk_kernel_job *job, int k,
+                                                              uint32_t chunks, murk_depth depth,
+                                                              int bands, bool bent)
 {
     const murk_layer *layer = &job->layer[k];
     for (int s = 0; s < layer->count; s++) {

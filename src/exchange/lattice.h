@@ -17,9 +17,9 @@ typedef struct murk_line {
    is in voxel (u + du, v + dv) for the length given. */
 typedef struct murk_segment {
     int du, dv;
-    float length;   /* m */
-    /* Along u, v and the dominant axis, in voxels: where the segment's middle lies, from that of its
-       voxel, and how far it goes. */
+    float length; /* m */
+    /* Along u, v and the dominant axis, in voxels: where the segment's middle lies, from that of
+       its voxel, and how far it goes. */
     float middle[3], change[3];
 } murk_segment;
 

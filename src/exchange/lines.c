@@ -55,11 +55,12 @@ static double flux_ratio(const murk_grid *grid, const murk_ground *ground,
 }
 
 murk_status murk_lines_create(murk_context *context, const murk_grid *grid, const float *kappa_t,
-                              const murk_ground *ground, int directions, int rays, murk_lines **out)
+                              const murk_ground *ground, int directions, int rays, int set,
+                              murk_lines **out)
 {
     murk_quadrature quadrature;
     int orbits = (directions + MURK_ORBIT - 1) / MURK_ORBIT;
-    murk_status status = murk_quadrature_create(context, orbits, &quadrature);
+    murk_status status = murk_quadrature_create(context, orbits, set, &quadrature);
     if (status)
         return status;
     murk_lines *lines = murk_alloc(1, sizeof *lines);
@@ -145,7 +146,7 @@ static murk_status lines_init(murk_context *context, const murk_medium *medium,
     murk_status status =
         murk_lines_create(context, medium->grid, medium->kappa_t, ground,
                           options->directions > 0 ? options->directions : MURK_ORBIT,
-                          options->rays > 0 ? options->rays : 1, &lines);
+                          options->rays > 0 ? options->rays : 1, 0, &lines);
     if (!status)
         *state = lines;
     return status;

@@ -10,11 +10,12 @@
 extern const murk_exchange_method murk_exchange_lines;
 
 /* The same operator on any grid with a kappa_t field, not only on a medium's zones: for results in
-   the margin. directions is rounded up to whole orbits; rays counts per face and axis. */
+   the margin. directions is rounded up to whole orbits; rays counts per face and axis; another set
+   is the same directions with lines elsewhere. */
 typedef struct murk_lines murk_lines;
 
 murk_status murk_lines_create(murk_context *context, const murk_grid *grid, const float *kappa_t,
-                              const murk_ground *ground, int directions, int rays,
+                              const murk_ground *ground, int directions, int rays, int set,
                               murk_lines **out);
 void murk_lines_release(murk_lines *lines);
 const char *murk_lines_kernel(const murk_lines *lines);

@@ -141,7 +141,7 @@ static double fraction(double x)
 static const double GOLDEN = 0.6180339887498949;
 static const double STRIDE[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
 
-murk_status murk_quadrature_create(murk_context *context, int orbits, murk_quadrature *out)
+murk_status murk_quadrature_create(murk_context *context, int orbits, int set, murk_quadrature *out)
 {
     size_t n = (size_t)orbits;
     murk_quadrature made = {.count = orbits * MURK_ORBIT,
@@ -176,7 +176,7 @@ murk_status murk_quadrature_create(murk_context *context, int orbits, murk_quadr
     for (int i = 0; i < orbits; i++) {
         double shift[3];
         for (int c = 0; c < 3; c++)
-            shift[c] = orbits > 1 ? fraction((i + 0.5) * STRIDE[c]) - 0.5 : 0;
+            shift[c] = orbits > 1 || set ? fraction((i + set * orbits + 0.5) * STRIDE[c]) - 0.5 : 0;
         place_orbit(base[i], shift, weight[i], &made, i * MURK_ORBIT);
     }
     murk_free(base);

@@ -25,7 +25,10 @@ typedef struct murk_quadrature {
     double (*shift)[3];
 } murk_quadrature;
 
-murk_status murk_quadrature_create(murk_context *context, int orbits, murk_quadrature *out);
+/* Of set 0 a single base point has its lines through the middles; other sets have the same
+   directions with other lines. */
+murk_status murk_quadrature_create(murk_context *context, int orbits, int set,
+                                   murk_quadrature *out);
 void murk_quadrature_clear(murk_quadrature *quadrature);
 
 #endif

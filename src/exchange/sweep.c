@@ -242,18 +242,23 @@ static void sum_slopes(const murk_context *context, murk_sweep *sweep, murk_carg
     }
 }
 
-static void sum_up(const murk_context *context, murk_sweep *sweep, murk_cargo *cargo, int b)
+/* Sums up what one band has brought about. The power is what the zones took, where that is known:
+   of a line that hardly loses anything no difference is left. */
+static void sum_up(const murk_context *context, murk_sweep *sweep, murk_cargo *cargo, int b,
+                   double power_factor)
 {
     const struct murk_worker *worker = sweep->worker;
     size_t slots = sweep->grid->brick_count * MURK_BRICK_SLOTS;
     int count = sweep->worker_count;
+    double taken = 0;
     if (cargo->tally) {
-#pragma omp parallel for num_threads(context->threads) schedule(static)
+#pragma omp parallel for num_threads(context->threads) schedule(static) reduction(+ : taken)
         for (size_t i = 0; i < slots; i++) {
             float sum = 0;
             for (int t = 0; t < count; t++)
                 sum += worker[t].tally[b][i];
             cargo->tally[i] = sum / fmaxf(sweep->kappa_t[i], sweep->clear);
+            taken += sweep->kappa_t[i] > 0 ? sum : 0;
         }
     }
     if (cargo->slope_tally && sweep->bent)
@@ -263,8 +268,8 @@ static void sum_up(const murk_context *context, murk_sweep *sweep, murk_cargo *c
         for (int t = 0; t < count; t++)
             cargo->patch_power[i] += worker[t].patch_power[b][i];
     }
-    cargo->net_power = 0;
-    for (int t = 0; t < count; t++)
+    cargo->net_power = power_factor * sweep->grid->volume * taken;
+    for (int t = 0; !cargo->tally && t < count; t++)
         cargo->net_power += worker[t].net_power[b];
 }
 
@@ -336,7 +341,7 @@ murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, murk_cargo 
         return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for the lines of %d directions",
                          sweep->line_count);
     for (int b = 0; b < bands; b++)
-        sum_up(context, sweep, &cargo[b], b);
+        sum_up(context, sweep, &cargo[b], b, power_factor);
     for (int t = 0; t < count; t++) {
         sweep->traced.dark += sweep->worker[t].dark;
         sweep->traced.beyond += sweep->worker[t].beyond;

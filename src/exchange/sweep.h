@@ -50,8 +50,8 @@ typedef struct murk_cargo {
        directions G/4 - B; of use in active slots, where there is no extinction too. NULL: not
        wanted. */
     float *tally;
-    /* The same, for each bent brick, as the slopes of a linear fit to it. Written if not NULL, which
-       is the same in all bands; then `tally` is wanted, too. */
+    /* The same, for each bent brick, as the slopes of a linear fit to it. Written if not NULL,
+       which is the same in all bands; then `tally` is wanted, too. */
     float *slope_tally;
     /* Power per unit weight and area factor that arrives at each patch beyond what would without
        the medium; NULL: not wanted. Overwritten. */

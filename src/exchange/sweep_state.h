@@ -13,12 +13,13 @@ struct murk_block {
 
 /* Everything one thread writes to. */
 struct murk_worker {
-    float *tally[MURK_MOST_BANDS]; /* of the first thread: the cargo's own */
+    float *tally[MURK_MOST_BANDS];       /* of the first thread: the cargo's own */
     float *slope_tally[MURK_MOST_BANDS]; /* likewise */
     double *patch_power[MURK_MOST_BANDS];
     double net_power[MURK_MOST_BANDS];
     double dark, beyond; /* crossings passed over */
-    float *slab; /* the bricks of a slab, each kappa_t, sources, tallies and those of slopes, in layers */
+    float *slab; /* the bricks of a slab, each kappa_t, sources, tallies and those of slopes, in
+                    layers */
     murk_plane plane[MURK_BLOCK];
 };
 
@@ -50,7 +51,7 @@ struct murk_run {
     const murk_cargo *cargo;
     murk_incoming incoming[MURK_MOST_BANDS];
     int bands;
-    bool bent;        /* with slopes */
+    bool bent; /* with slopes */
     double power_factor;
     float dark; /* light up to this is none */
 };

@@ -25,12 +25,15 @@ double murk_beam_on_ground(const murk_ground *ground, const murk_sun *sun)
 }
 
 murk_status murk_beam(murk_context *context, const murk_grid *grid, const float *kappa_t,
-                      const murk_ground *ground, const murk_sun *sun, int rays, float *incident,
-                      float *patch, double *extinguished)
+                      const murk_ground *ground, const murk_sun *sun, int rays,
+                      const murk_bent *bent, float *incident, float *slope, float *patch,
+                      double *extinguished)
 {
     double direction[3];
     *extinguished = 0;
     if (!murk_beam_direction(ground, sun, direction)) {
+        if (bent && slope)
+            memset(slope, 0, bent->count * MURK_BENT_SLOTS * sizeof *slope);
         if (incident)
             memset(incident, 0, grid->brick_count * MURK_BRICK_SLOTS * sizeof *incident);
         if (patch && ground)
@@ -54,9 +57,12 @@ murk_status murk_beam(murk_context *context, const murk_grid *grid, const float 
     murk_sweep *sweep = NULL;
     murk_cargo cargo = {.incoming = {.sky = sun->irradiance, .uniform = true},
                         .tally = incident,
+                        .slope_tally = bent ? slope : NULL,
                         .patch_power = patch ? power : NULL};
     murk_status status =
         murk_sweep_create(context, grid, kappa_t, ground, line, rays * rays, &sweep);
+    if (!status && bent)
+        murk_sweep_bend(sweep, bent);
     if (!status)
         status = murk_sweep_run(context, sweep, &cargo, 1, 1);
     *extinguished = cargo.net_power;

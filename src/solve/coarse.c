@@ -74,9 +74,19 @@ static float start_value(const murk_coarse *coarse, const void *user, size_t i, 
     return start->radiosity[(size_t)at * MURK_BRICK_SLOTS + (size_t)slot];
 }
 
-void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *incident,
-                          const murk_region *region)
+void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *net_slope,
+                          const float *incident, const murk_region *region)
 {
+    const murk_bent *bent = &coarse->stage->bend.zones;
+    for (size_t j = 0; j < coarse->system.slopes; j++) {
+        size_t i = murk_bent_slot(bent, j);
+        float albedo = murk_value(&coarse->medium->albedo, i);
+        bool there = coarse->medium->kappa_t[i] > 0 &&
+                     murk_region_has(region, coarse->medium->grid->brick[i / MURK_BRICK_SLOTS]);
+        coarse->r.slope[j] = there ? coarse->direct.slope[j] + albedo * net_slope[j] -
+                                         (1 - albedo) * coarse->x.slope[j]
+                                   : 0;
+    }
     restrict_zones(coarse, residual_value, &(struct residual){net, region}, coarse->r.zone);
     for (size_t i = 0; i < coarse->system.patches; i++)
         coarse->r.patch[i] = coarse->direct.patch[i] +
@@ -185,6 +195,8 @@ static murk_system system_of(const murk_coarse *coarse, murk_lines *lines)
                          .method = &murk_exchange_lines,
                          .state = lines,
                          .medium = coarse->medium,
+                         .bent = &coarse->stage->bend.zones,
+                         .slopes = coarse->stage->bend.zones.count * MURK_BENT_SLOTS,
                          .ground = ground,
                          .slots = coarse->medium->grid->brick_count * MURK_BRICK_SLOTS,
                          .patches = ground ? ground->patch_count : 0};
@@ -198,14 +210,16 @@ murk_status murk_coarse_create(murk_context *context, const murk_solution *solut
                         .solution = solution,
                         .stage = stage,
                         .max_iterations = options->max_iterations,
-                        .shift = choose_shift(solution->medium),
+                        .shift = stage->bend.zones.count ? 0 : choose_shift(solution->medium),
                         .around = {M_PI * solution->sky_radiance, solution->horizon}};
     murk_status status = murk_medium_coarsen(context, solution->medium, made.shift, &made.medium);
     if (!status)
         status = murk_lines_create(context, made.medium->grid, made.medium->kappa_t,
-                                   solution->ground, MURK_ORBIT, 1, &made.lines);
-    if (!status)
+                                   solution->ground, MURK_ORBIT, 1, 0, &made.lines);
+    if (!status) {
+        murk_lines_bend(made.lines, &stage->bend.zones);
         made.system = system_of(&made, made.lines);
+    }
     murk_vector *vectors[] = {&made.direct, &made.x, &made.r, &made.d};
     for (size_t i = 0; !status && i < sizeof vectors / sizeof *vectors; i++)
         status = murk_vector_create(&made.system, vectors[i]);
@@ -214,6 +228,9 @@ murk_status murk_coarse_create(murk_context *context, const murk_solution *solut
         return status;
     }
     restrict_zones(&made, direct_value, NULL, made.direct.zone);
+    for (size_t j = 0; j < made.system.slopes; j++)
+        made.direct.slope[j] = murk_stage_direct_slope(stage, solution->medium,
+                                                       murk_bent_slot(&stage->bend.zones, j), j);
     for (size_t i = 0; i < made.system.patches; i++)
         made.direct.patch[i] = murk_stage_patch(stage, solution->ground, i);
     *out = made;
@@ -270,28 +287,52 @@ murk_status murk_coarse_solve(murk_coarse *coarse, const murk_solution *start, d
     return status;
 }
 
-murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, double goal,
-                              double *change, double *diffuse)
+/* Sets r to the residual of x on other lines. */
+static murk_status find_residual(murk_coarse *coarse, int directions, int rays, int set,
+                                 double *diffuse)
 {
     murk_lines *lines = NULL;
     murk_status status =
         murk_lines_create(coarse->context, coarse->medium->grid, coarse->medium->kappa_t,
-                          coarse->solution->ground, directions, rays, &lines);
+                          coarse->solution->ground, directions, rays, set, &lines);
     if (status)
         return status;
+    murk_lines_bend(lines, &coarse->stage->bend.zones);
     murk_system system = system_of(coarse, lines);
     status = murk_system_residual(&system, &coarse->direct, &coarse->around, &coarse->x, &coarse->r,
-                                  &coarse->d, diffuse);
+                                  diffuse ? &coarse->d : NULL, diffuse);
     murk_coarse_count(coarse, lines);
     murk_lines_release(lines);
+    return status;
+}
+
+/* Relative to x, zones in the norm of the tolerance, or patches likewise where that is more. */
+static double relative(const murk_coarse *coarse, const murk_vector *d)
+{
+    double size = murk_vector_norm2(&coarse->system, &coarse->x);
+    double zones = size > 0 ? sqrt(murk_vector_norm2(&coarse->system, d) / size) : 0;
+    return fmax(zones, murk_ground_difference(coarse->system.ground, coarse->x.patch, d->patch));
+}
+
+murk_status murk_coarse_lattice(murk_coarse *coarse, int rays, double *out)
+{
+    murk_status status = find_residual(coarse, MURK_ORBIT, rays, 1, NULL);
+    *out = relative(coarse, &coarse->r);
+    return status;
+}
+
+murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, double goal,
+                              murk_probe *out)
+{
+    murk_status status = find_residual(coarse, directions, rays, 0, &out->diffuse);
+    out->residual = relative(coarse, &coarse->r);
     double size = sqrt(murk_vector_norm2(&coarse->system, &coarse->x));
     if (!status)
         status = murk_coarse_correct(coarse, goal * size);
     if (status)
         return status;
     murk_vector_add(&coarse->system, 1, &coarse->d, &coarse->x);
-    double norm = murk_vector_norm2(&coarse->system, &coarse->x);
-    *change = norm > 0 ? sqrt(murk_vector_norm2(&coarse->system, &coarse->d) / norm) : 0;
+    out->change = relative(coarse, &coarse->d);
     return MURK_OK;
 }
 

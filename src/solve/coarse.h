@@ -12,7 +12,8 @@
 #include "stage.h"
 #include "system.h"
 
-typedef struct murk_coarse {
+typedef struct murk_coarse murk_coarse;
+struct murk_coarse {
     murk_context *context;
     const murk_solution *solution;
     const murk_stage *stage;
@@ -26,7 +27,7 @@ typedef struct murk_coarse {
     murk_vector x, r, d; /* solution, residual, correction */
     int iterations;
     murk_traced traced; /* of lines that are gone */
-} murk_coarse;
+};
 
 murk_status murk_coarse_create(murk_context *context, const murk_solution *solution,
                                const murk_stage *stage, const murk_solve_options *options,
@@ -41,19 +42,29 @@ murk_status murk_coarse_correct(murk_coarse *coarse, double absolute);
    an error of about `goal`. */
 murk_status murk_coarse_solve(murk_coarse *coarse, const murk_solution *start, double goal);
 
-/* Corrects x once by the residual on more directions; gives the relative size of the correction and
-   the power of sky and ground that the medium takes. */
+/* What a probe tells, errors relative to x: those of the zones in the norm of the tolerance, or of
+   the user's patches if theirs are larger. */
+typedef struct murk_probe {
+    double residual, change; /* of x, and by its correction */
+    double diffuse;          /* power of sky and ground that the medium takes [W] */
+} murk_probe;
+
+/* Corrects x once by the residual on more directions. */
 murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, double goal,
-                              double *change, double *diffuse);
+                              murk_probe *out);
+
+/* The relative residual of x on the same directions, with lines elsewhere. */
+murk_status murk_coarse_lattice(murk_coarse *coarse, int rays, double *out);
 
 /* Sets the solution's zones by the light that x means for them, linear within a coarse zone; r is
    overwritten. */
 void murk_coarse_prolong(murk_coarse *coarse, murk_solution *solution);
 
-/* Sets r to the residual of the solution's zones, net being G/4 - B of them without the beam, and
-   of x's patches, which `incident` arrives at; 0 for zones that nothing is asked for. */
-void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *incident,
-                          const murk_region *region);
+/* Sets r to the residual of the solution's zones, net being G/4 - B of them without the beam, of
+   x's slopes and of its patches, which `incident` arrives at; 0 for zones that nothing is asked
+   for. */
+void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *net_slope,
+                          const float *incident, const murk_region *region);
 
 /* Adds what a traced set of lines did to the sums. */
 void murk_coarse_count(murk_coarse *coarse, const murk_lines *lines);

@@ -32,22 +32,31 @@ typedef struct murk_gradients {
 
 /* ---- the start ----------------------------------------------------------------------------- */
 
-/* Sets x to b on rows without scattering, where that is the solution, and to 0 elsewhere; one is 1
-   elsewhere. False where x is 0 everywhere. */
-static bool split(const murk_system *system, const murk_vector *b, murk_vector *x, murk_vector *one)
+/* Sets x to `from` on rows without scattering, where that is the solution, and to 0 elsewhere; one
+   is 1 elsewhere. False where x is 0 everywhere. */
+static bool split(const murk_system *system, const murk_vector *from, murk_vector *x,
+                  murk_vector *one)
 {
     const murk_medium *medium = system->medium;
     bool any = false;
 #pragma omp parallel for num_threads(system->context->threads) schedule(static) reduction(|| : any)
     for (size_t i = 0; i < system->slots; i++) {
         bool scatters = medium->kappa_t[i] > 0 && murk_value(&medium->albedo, i) > 0;
-        x->zone[i] = scatters ? 0 : b->zone[i];
+        x->zone[i] = scatters ? 0 : from->zone[i];
         one->zone[i] = scatters;
         any = any || x->zone[i] != 0;
     }
+    for (size_t b = 0; b < system->slopes / MURK_BENT_SLOTS; b++)
+        for (size_t s = 0; s < MURK_BENT_SLOTS; s++) {
+            size_t i = (size_t)system->bent->brick[b] * MURK_BRICK_SLOTS + s % MURK_BRICK_SLOTS;
+            size_t j = b * MURK_BENT_SLOTS + s;
+            x->slope[j] = murk_value(&medium->albedo, i) > 0 ? 0 : from->slope[j];
+            one->slope[j] = 0;
+            any = any || x->slope[j] != 0;
+        }
     for (size_t i = 0; i < system->patches; i++) {
         bool reflects = system->ground->reflectance[i] > 0;
-        x->patch[i] = reflects ? 0 : b->patch[i];
+        x->patch[i] = reflects ? 0 : from->patch[i];
         one->patch[i] = reflects;
         any = any || x->patch[i] != 0;
     }

@@ -102,7 +102,7 @@ static murk_status finish(murk_context *context, murk_solution *solution, const 
     }
     if (!status)
         status = murk_lines_create(context, solution->grid, stage->kappa_t, ground, DIRECTIONS, 1,
-                                   &lines);
+                                   0, &lines);
     murk_stage_spread(stage, solution->medium->grid, x->zone, solution->radiosity);
     const double sky = M_PI * solution->sky_radiance;
     const murk_radiosity in[2] = {

@@ -144,7 +144,7 @@ murk_status murk_solution_light_ground(murk_context *context, murk_solution *sol
     if (!solution->ground)
         return MURK_OK;
     murk_stage stage;
-    murk_status status = murk_stage_create(context, solution, &stage);
+    murk_status status = murk_stage_create(context, solution, INFINITY, &stage);
     if (status)
         return status;
     murk_lines *lines = NULL;
@@ -153,7 +153,7 @@ murk_status murk_solution_light_ground(murk_context *context, murk_solution *sol
         status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for the ground");
     if (!status)
         status = murk_lines_create(context, solution->grid, stage.kappa_t, solution->ground,
-                                   DIRECTIONS, 1, &lines);
+                                   DIRECTIONS, 1, 0, &lines);
     if (!status) {
         /* What the patches send up is in the zones' radiosity already; margin voxels have no
            extinction and so send nothing. */

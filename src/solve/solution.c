@@ -40,8 +40,7 @@ static murk_status check_ground(murk_context *context, const murk_scene *scene)
     return MURK_OK;
 }
 
-murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
-                                 murk_solution **out)
+static murk_status check_scene(murk_context *context, const murk_scene *scene)
 {
     if (!scene->medium)
         return murk_fail(context, MURK_ERROR_INPUT, "scene: no medium");
@@ -58,7 +57,19 @@ murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
         hypot(hypot(scene->sun.direction[0], scene->sun.direction[1]), scene->sun.direction[2]);
     if (scene->sun.irradiance > 0 && !(length > 0 && isfinite(length)))
         return murk_fail(context, MURK_ERROR_INPUT, "sun.direction: a vector of length 0");
+    if (scene->ground && scene->sun.irradiance > 0 &&
+        murk_beam_on_ground(scene->ground, &scene->sun) == 0)
+        murk_warn(context, "sun.direction: the sun stands below the ground's horizon and lights "
+                           "nothing; direction is the way the light travels, so down");
+    return MURK_OK;
+}
 
+murk_status murk_solution_create(murk_context *context, const murk_scene *scene, int halvings,
+                                 murk_solution **out)
+{
+    murk_status status = halvings ? MURK_OK : check_scene(context, scene);
+    if (status)
+        return status;
     murk_solution *solution = murk_alloc(1, sizeof *solution);
     if (!solution)
         return murk_fail(context, MURK_ERROR_MEMORY, "out of memory");
@@ -68,14 +79,11 @@ murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
     solution->sun = scene->sun;
     solution->sky_radiance = scene->sky_radiance;
     const murk_ground *ground = scene->ground;
-    if (ground && scene->sun.irradiance > 0 && murk_beam_on_ground(ground, &scene->sun) == 0)
-        murk_warn(context, "sun.direction: the sun stands below the ground's horizon and lights "
-                           "nothing; direction is the way the light travels, so down");
     if (ground)
         solution->horizon = ground->mean_emission +
                             ground->mean_reflectance * (murk_beam_on_ground(ground, &scene->sun) +
                                                         M_PI * scene->sky_radiance);
-    murk_status status = murk_grid_dilate(context, scene->medium->input, MARGIN, &solution->grid);
+    status = murk_grid_dilate(context, scene->medium->input, MARGIN << halvings, &solution->grid);
     if (!status) {
         /* The same lines cross the zones here as on the medium's own grid. */
         const murk_grid *zones = scene->medium->grid;

@@ -20,8 +20,9 @@ struct murk_solution {
     murk_report report;
 };
 
-/* An empty solution for a scene: grid dilated, arrays zeroed, scene shared. */
-murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
+/* An empty solution for a scene: grid dilated, arrays zeroed, scene shared. The voxels of the
+   scene's medium are those of the user's, halved so many times; the margin is the user's. */
+murk_status murk_solution_create(murk_context *context, const murk_scene *scene, int halvings,
                                  murk_solution **out);
 
 /* Fills the ground's light from solution->radiosity by one application of the operator. */

@@ -69,7 +69,7 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
     double start = murk_seconds();
     murk_solution *solution = NULL;
     murk_stage stage = {0};
-    status = murk_solution_create(context, scene, &solution);
+    status = murk_solution_create(context, scene, 0, &solution);
     if (status)
         return status;
     murk_report *report = &solution->report;
@@ -79,13 +79,17 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
     report->tolerance = o.tolerance;
     report->reached = true;
     murk_progress(context, "light", 0);
-    status = murk_stage_create(context, solution, &stage);
-    report->seconds_light = murk_seconds() - setup;
-    if (!status)
-        status = o.method == MURK_PAIRWISE ? murk_solve_pairwise(context, solution, &stage, &o)
-                                           : murk_solve_lines(context, solution, &stage, &o);
+    report->subdivision = 1;
+    if (o.method == MURK_PAIRWISE) {
+        status = murk_stage_create(context, solution, INFINITY, &stage);
+        report->seconds_light = murk_seconds() - setup;
+        if (!status)
+            status = murk_solve_pairwise(context, solution, &stage, &o);
+        murk_stage_clear(&stage);
+    } else {
+        status = murk_solve_lines(context, solution, &o);
+    }
     murk_progress(context, "solve", 1);
-    murk_stage_clear(&stage);
     if (status && status != MURK_NOT_REACHED) {
         murk_solution_release(solution);
         return status;

@@ -13,7 +13,8 @@ static int beam_rays(double tolerance)
     return tolerance > 0 && tolerance < 0.005 ? 16 : 8;
 }
 
-murk_status murk_stage_create(murk_context *context, const murk_solution *solution, murk_stage *out)
+murk_status murk_stage_create(murk_context *context, const murk_solution *solution, double allowed,
+                              murk_stage *out)
 {
     const murk_medium *medium = solution->medium;
     const murk_grid *from = medium->grid, *to = solution->grid;
@@ -32,9 +33,17 @@ murk_status murk_stage_create(murk_context *context, const murk_solution *soluti
             stage.map[b] =
                 murk_grid_find(to, from->brick[b][0], from->brick[b][1], from->brick[b][2]);
         murk_stage_spread(&stage, from, medium->kappa_t, stage.kappa_t);
-        status = murk_beam(context, to, stage.kappa_t, solution->ground, &solution->sun,
-                           beam_rays(solution->report.tolerance), stage.beam, stage.patch_sun,
-                           &stage.extinguished);
+        status = murk_bend_create(context, medium, allowed, to, stage.map, &stage.bend);
+        const size_t slopes = stage.bend.there.count * MURK_BENT_SLOTS;
+        stage.beam_slope = murk_alloc(slopes, sizeof *stage.beam_slope);
+        if (!status && !stage.beam_slope)
+            status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
+                               from->zone_count);
+        if (!status)
+            status =
+                murk_beam(context, to, stage.kappa_t, solution->ground, &solution->sun,
+                          beam_rays(solution->report.tolerance), slopes ? &stage.bend.there : NULL,
+                          stage.beam, stage.beam_slope, stage.patch_sun, &stage.extinguished);
     }
     if (status)
         murk_stage_clear(&stage);
@@ -48,6 +57,8 @@ void murk_stage_clear(murk_stage *stage)
     murk_free(stage->map);
     murk_free(stage->kappa_t);
     murk_free(stage->beam);
+    murk_bend_clear(&stage->bend);
+    murk_free(stage->beam_slope);
     murk_free(stage->patch_sun);
     memset(stage, 0, sizeof *stage);
 }

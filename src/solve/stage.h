@@ -3,17 +3,22 @@
 #ifndef MURK_SOLVE_STAGE_H
 #define MURK_SOLVE_STAGE_H
 
+#include "bend.h"
 #include "solution.h"
 
 typedef struct murk_stage {
     int32_t *map;        /* brick of the solution's grid for each brick of the medium's */
     float *kappa_t;      /* on the solution's grid */
     float *beam;         /* G of the direct beam on the solution's grid [W/m^2] */
+    murk_bend bend;      /* where sources vary within zones */
+    float *beam_slope;   /* of beam, in bent bricks */
     float *patch_sun;    /* direct irradiance of the patches [W/m^2] */
     double extinguished; /* what the medium takes from the beam [W] */
 } murk_stage;
 
-murk_status murk_stage_create(murk_context *context, const murk_solution *solution,
+/* Sources that are constant within zones may cost `allowed` of the tolerance's error [1]; others
+   get slopes. */
+murk_status murk_stage_create(murk_context *context, const murk_solution *solution, double allowed,
                               murk_stage *out);
 void murk_stage_clear(murk_stage *stage);
 
@@ -34,6 +39,13 @@ static inline float murk_stage_direct(const murk_stage *stage, const murk_medium
 {
     float albedo = murk_value(&medium->albedo, i);
     return albedo * stage->beam[o] / 4 + (1 - albedo) * murk_value(&medium->emission, i);
+}
+
+/* Slope j of the bent bricks of the same, in slot i; emission has none. */
+static inline float murk_stage_direct_slope(const murk_stage *stage, const murk_medium *medium,
+                                            size_t i, size_t j)
+{
+    return murk_value(&medium->albedo, i) * stage->beam_slope[j] / 4;
 }
 
 /* The same of a patch. */

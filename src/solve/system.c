@@ -6,8 +6,9 @@
 murk_status murk_vector_create(const murk_system *system, murk_vector *out)
 {
     murk_vector made = {.zone = murk_alloc(system->slots, sizeof(float)),
+                        .slope = murk_alloc(system->slopes, sizeof(float)),
                         .patch = murk_alloc(system->patches, sizeof(float))};
-    if (!made.zone || !made.patch) {
+    if (!made.zone || !made.slope || !made.patch) {
         murk_vector_clear(&made);
         return murk_fail(system->context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
                          system->medium->grid->zone_count);
@@ -19,6 +20,7 @@ murk_status murk_vector_create(const murk_system *system, murk_vector *out)
 void murk_vector_clear(murk_vector *vector)
 {
     murk_free(vector->zone);
+    murk_free(vector->slope);
     murk_free(vector->patch);
     memset(vector, 0, sizeof *vector);
 }
@@ -26,6 +28,7 @@ void murk_vector_clear(murk_vector *vector)
 void murk_vector_copy(const murk_system *system, const murk_vector *from, murk_vector *to)
 {
     memcpy(to->zone, from->zone, system->slots * sizeof(float));
+    memcpy(to->slope, from->slope, system->slopes * sizeof(float));
     memcpy(to->patch, from->patch, system->patches * sizeof(float));
 }
 
@@ -35,6 +38,8 @@ void murk_vector_add(const murk_system *system, double a, const murk_vector *x, 
 #pragma omp parallel for num_threads(system->context->threads) schedule(static)
     for (size_t i = 0; i < system->slots; i++)
         y->zone[i] += f * x->zone[i];
+    for (size_t i = 0; i < system->slopes; i++)
+        y->slope[i] += f * x->slope[i];
     for (size_t i = 0; i < system->patches; i++)
         y->patch[i] += f * x->patch[i];
 }
@@ -45,6 +50,8 @@ void murk_vector_turn(const murk_system *system, const murk_vector *x, double a,
 #pragma omp parallel for num_threads(system->context->threads) schedule(static)
     for (size_t i = 0; i < system->slots; i++)
         y->zone[i] = x->zone[i] + f * y->zone[i];
+    for (size_t i = 0; i < system->slopes; i++)
+        y->slope[i] = x->slope[i] + f * y->slope[i];
     for (size_t i = 0; i < system->patches; i++)
         y->patch[i] = x->patch[i] + f * y->patch[i];
 }
@@ -55,9 +62,14 @@ void murk_vector_turn(const murk_system *system, const murk_vector *x, double a,
    order: rounding does not depend on who did which. */
 enum { PARTS = 256 };
 
+static size_t part_of(size_t count, int n)
+{
+    return count / PARTS * (size_t)n + count % PARTS * (size_t)n / PARTS;
+}
+
 static size_t part(const murk_system *system, int n)
 {
-    return system->slots / PARTS * (size_t)n + system->slots % PARTS * (size_t)n / PARTS;
+    return part_of(system->slots, n);
 }
 
 static double sum_of(const double parts[PARTS])
@@ -81,6 +93,27 @@ static double patch_weight(const murk_system *system, size_t i)
     return reflectance > 0 ? murk_ground_area(system->ground, i) / reflectance : 0;
 }
 
+/* The part of slopes in a product. */
+static double slope_product(const murk_system *system, const float *x, const float *y)
+{
+    const size_t bricks = system->bent ? system->bent->count : 0;
+    double parts[PARTS];
+    if (!bricks)
+        return 0;
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
+    for (int n = 0; n < PARTS; n++) {
+        double sum = 0;
+        for (size_t b = part_of(bricks, n); b < part_of(bricks, n + 1); b++)
+            for (size_t s = 0; s < MURK_BENT_SLOTS; s++) {
+                size_t i = (size_t)system->bent->brick[b] * MURK_BRICK_SLOTS + s % MURK_BRICK_SLOTS;
+                size_t j = b * MURK_BENT_SLOTS + s;
+                sum += zone_weight(system, i) * x[j] * y[j];
+            }
+        parts[n] = sum / 12;
+    }
+    return sum_of(parts);
+}
+
 double murk_vector_product(const murk_system *system, const murk_vector *x, const murk_vector *y)
 {
     double parts[PARTS], patches = 0;
@@ -93,7 +126,7 @@ double murk_vector_product(const murk_system *system, const murk_vector *x, cons
     }
     for (size_t i = 0; i < system->patches; i++)
         patches += patch_weight(system, i) * x->patch[i] * y->patch[i];
-    return sum_of(parts) + patches;
+    return sum_of(parts) + slope_product(system, x->slope, y->slope) + patches;
 }
 
 double murk_vector_norm2(const murk_system *system, const murk_vector *x)
@@ -114,6 +147,9 @@ bool murk_vector_zero(const murk_system *system, const murk_vector *x)
 {
     for (size_t i = 0; i < system->slots; i++)
         if (x->zone[i] != 0)
+            return false;
+    for (size_t i = 0; i < system->slopes; i++)
+        if (x->slope[i] != 0)
             return false;
     for (size_t i = 0; i < system->patches; i++)
         if (x->patch[i] != 0)
@@ -139,6 +175,8 @@ murk_sums murk_vector_sums(const murk_system *system, const murk_vector *r, cons
         patch_rr += weight * r->patch[i];
         patch_rz += weight * z->patch[i];
     }
+    patch_rr += slope_product(system, r->slope, r->slope);
+    patch_rz += slope_product(system, r->slope, z->slope);
     return (murk_sums){sum_of(rr) + patch_rr, sum_of(rz) + patch_rz,
                        sum_of(z2) * system->medium->grid->volume};
 }
@@ -159,22 +197,45 @@ double murk_vector_step(const murk_system *system, double a, const murk_vector *
             norm2[n] += system->medium->kappa_t[i] * u * u;
         }
     }
+    for (size_t i = 0; i < system->slopes; i++) {
+        x->slope[i] += f * p->slope[i];
+        r->slope[i] -= f * q->slope[i];
+    }
     for (size_t i = 0; i < system->patches; i++) {
         x->patch[i] += f * p->patch[i];
         r->patch[i] -= f * q->patch[i];
         patches += patch_weight(system, i) * x->patch[i] * x->patch[i];
     }
     *x2 = sum_of(norm2) * system->medium->grid->volume;
-    return sum_of(xx) + patches;
+    return sum_of(xx) + slope_product(system, x->slope, x->slope) + patches;
 }
 
 /* ---- the system ---------------------------------------------------------------------------- */
 
+/* y = (1 - albedo) x - albedo y for slopes. */
+static void take_slopes(const murk_system *system, const float *x, float *y)
+{
+    const murk_medium *medium = system->medium;
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
+    for (size_t b = 0; b < system->slopes / MURK_BENT_SLOTS; b++)
+        for (size_t s = 0; s < MURK_BENT_SLOTS; s++) {
+            size_t i = (size_t)system->bent->brick[b] * MURK_BRICK_SLOTS + s % MURK_BRICK_SLOTS;
+            size_t j = b * MURK_BENT_SLOTS + s;
+            float albedo = murk_value(&medium->albedo, i);
+            y[j] = medium->kappa_t[i] > 0 ? (1 - albedo) * x[j] - albedo * y[j] : 0;
+        }
+}
+
 murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y)
 {
     const murk_medium *medium = system->medium;
-    const murk_radiosity in = {.zone = x->zone, .patch = system->ground ? x->patch : NULL};
-    murk_incident out = {.zone = y->zone, .patch = system->ground ? y->patch : NULL};
+    const bool bent = system->slopes;
+    const murk_radiosity in = {.zone = x->zone,
+                               .slope = bent ? x->slope : NULL,
+                               .patch = system->ground ? x->patch : NULL};
+    murk_incident out = {.zone = y->zone,
+                         .slope = bent ? y->slope : NULL,
+                         .patch = system->ground ? y->patch : NULL};
     murk_status status = system->method->apply(system->context, system->state, &in, &out, 1);
     if (status)
         return status;
@@ -184,6 +245,7 @@ murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_ve
         float albedo = murk_value(&medium->albedo, i);
         y->zone[i] = medium->kappa_t[i] > 0 ? (1 - albedo) * x->zone[i] - albedo * y->zone[i] : 0;
     }
+    take_slopes(system, x->slope, y->slope);
     for (size_t i = 0; i < system->patches; i++)
         y->patch[i] = x->patch[i] - system->ground->reflectance[i] * y->patch[i];
     return MURK_OK;
@@ -194,18 +256,20 @@ murk_status murk_system_residual(murk_system *system, const murk_vector *direct,
                                  murk_vector *scratch, double *diffuse)
 {
     const murk_medium *medium = system->medium;
-    bool ground = system->ground;
+    const bool ground = system->ground, bent = system->slopes;
     const float *patch = x && ground ? x->patch : NULL;
     const murk_radiosity in[2] = {{.zone = x ? x->zone : NULL,
+                                   .slope = x && bent ? x->slope : NULL,
                                    .patch = patch,
                                    .sky = around->sky,
                                    .horizon = around->horizon},
-                                  {.patch = patch,
-                                   .sky = around->sky,
-                                   .horizon = around->horizon}};
-    murk_incident out[2] = {{.zone = r->zone, .patch = ground ? r->patch : NULL}};
+                                  {.patch = patch, .sky = around->sky, .horizon = around->horizon}};
+    murk_incident out[2] = {
+        {.zone = r->zone, .slope = bent ? r->slope : NULL, .patch = ground ? r->patch : NULL}};
     if (diffuse)
-        out[1] = (murk_incident){.zone = scratch->zone, .patch = ground ? scratch->patch : NULL};
+        out[1] = (murk_incident){.zone = scratch->zone,
+                                 .slope = bent ? scratch->slope : NULL,
+                                 .patch = ground ? scratch->patch : NULL};
     murk_status status =
         system->method->apply(system->context, system->state, in, out, diffuse ? 2 : 1);
     if (status)
@@ -219,6 +283,15 @@ murk_status murk_system_residual(murk_system *system, const murk_vector *direct,
                          ? direct->zone[i] + albedo * r->zone[i] - (1 - albedo) * value
                          : 0;
     }
+    for (size_t b = 0; b < system->slopes / MURK_BENT_SLOTS; b++)
+        for (size_t s = 0; s < MURK_BENT_SLOTS; s++) {
+            size_t i = (size_t)system->bent->brick[b] * MURK_BRICK_SLOTS + s % MURK_BRICK_SLOTS;
+            size_t j = b * MURK_BENT_SLOTS + s;
+            float albedo = murk_value(&medium->albedo, i), value = x ? x->slope[j] : 0;
+            r->slope[j] = medium->kappa_t[i] > 0
+                              ? direct->slope[j] + albedo * r->slope[j] - (1 - albedo) * value
+                              : 0;
+        }
     for (size_t i = 0; i < system->patches; i++)
         r->patch[i] =
             direct->patch[i] + system->ground->reflectance[i] * r->patch[i] - (x ? x->patch[i] : 0);

@@ -3,13 +3,16 @@
 #ifndef MURK_SOLVE_SYSTEM_H
 #define MURK_SOLVE_SYSTEM_H
 
+#include "bent.h"
 #include "ground.h"
 #include "medium.h"
 #include "murk/exchange.h"
 
-/* Radiosities of zones (a field on the medium's grid) and patches (NULL without ground). */
+/* Radiosities of zones (a field on the medium's grid), their slopes (a field over the bent bricks,
+   if there are any) and patches (NULL without ground). */
 typedef struct murk_vector {
     float *zone;
+    float *slope;
     float *patch;
 } murk_vector;
 
@@ -19,7 +22,8 @@ typedef struct murk_preconditioner murk_preconditioner;
  * L x = b with (L x)_k = x_k - albedo_k (G x)_k / 4 for zones and x_i - rho_i H_i for patches. L is
  * self-adjoint and positive definite in the inner product
  *     <u, v> = sum 4 kappa V / albedo u v + sum A / rho u v,
- * over the zones with albedo > 0 and the patches with rho > 0; elsewhere L is the identity.
+ * over the zones with albedo > 0 and the patches with rho > 0; elsewhere L is the identity. Slopes
+ * have equations of the same form, and 1/12 of their zone's weight: the mean of p^2 over it.
  */
 typedef struct murk_system {
     murk_context *context;
@@ -27,7 +31,8 @@ typedef struct murk_system {
     void *state;
     const murk_medium *medium;
     const murk_ground *ground;
-    size_t slots, patches;
+    const murk_bent *bent; /* NULL: sources are constant within zones */
+    size_t slots, slopes, patches;
     /* From the first solve on, for those that follow: the part of a uniform light that zones absorb
        or let escape at once, and the preconditioner where it was made (the owner's to release). */
     double escape;

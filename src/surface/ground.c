@@ -172,6 +172,18 @@ void murk_ground_release(murk_ground *ground)
     murk_free(ground);
 }
 
+double murk_ground_difference(const murk_ground *ground, const float *a, const float *b)
+{
+    double size = 0, difference = 0; /* of equal areas */
+    for (int ib = 0; ground && ib < ground->interior[1]; ib++)
+        for (int ia = 0; ia < ground->interior[0]; ia++) {
+            size_t i = murk_ground_interior(ground, ia, ib);
+            size += (double)a[i] * a[i];
+            difference += (double)b[i] * b[i];
+        }
+    return size > 0 ? sqrt(difference / size) : 0;
+}
+
 double murk_ground_area(const murk_ground *ground, size_t patch)
 {
     size_t ia = patch % (size_t)ground->count[0], ib = patch / (size_t)ground->count[0];

@@ -68,6 +68,10 @@ static inline int64_t murk_ground_patch(const murk_ground *ground, double a, dou
     return (int64_t)ib * ground->count[0] + ia;
 }
 
+/* Root of the sum over the user's patches of area times the square of b, relative to that of a; 0
+   without ground. */
+double murk_ground_difference(const murk_ground *ground, const float *a, const float *b);
+
 double murk_ground_area(const murk_ground *ground, size_t patch);
 /* Number of the patch at column ia, row ib of the user's interior. */
 size_t murk_ground_interior(const murk_ground *ground, int ia, int ib);

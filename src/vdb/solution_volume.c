@@ -83,7 +83,7 @@ murk_status murk_solution_from_volume(murk_context *context, const murk_scene *s
                                       const murk_volume *volume, murk_solution **out)
 {
     murk_solution *solution = NULL;
-    murk_status status = murk_solution_create(context, scene, &solution);
+    murk_status status = murk_solution_create(context, scene, 0, &solution);
     if (status)
         return status;
     status = take_radiosity(context, volume, solution);

@@ -114,7 +114,7 @@ static void open_solver(struct solver *s, const struct medium_case *c)
     world_open(&s->world, 2, &array, c->ground ? &ground : NULL);
     const murk_medium *medium = s->world.medium;
     assert_int_equal(murk_lines_create(s->world.context, medium->grid, medium->kappa_t,
-                                       s->world.ground, DIRECTIONS, 1, &s->lines),
+                                       s->world.ground, DIRECTIONS, 1, 0, &s->lines),
                      MURK_OK);
     s->system = (murk_system){.context = s->world.context,
                               .method = &murk_exchange_lines,

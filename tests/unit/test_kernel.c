@@ -139,12 +139,10 @@ static void check_job(murk_kernel_fn *kernel, const brick *b, int sign, murk_dep
             plane[i] = b->plane[band * PLANE + i];
         reference(b, sign, band, bent, tally, slope_tally, plane);
         for (int i = 0; i < PLANE; i++)
-            assert_within(out->plane[band * PLANE + i], plane[i],
-                          1e-5 * fmax(fabs(plane[i]), 0.1));
+            assert_within(out->plane[band * PLANE + i], plane[i], 1e-5 * fmax(fabs(plane[i]), 0.1));
         check_tally(out->tally + band * 512, tally, b->kappa_t);
         for (int a = 0; bent && a < 3; a++)
-            check_tally(out->slope_tally + (3 * band + a) * 512, slope_tally + a * 512,
-                        b->kappa_t);
+            check_tally(out->slope_tally + (3 * band + a) * 512, slope_tally + a * 512, b->kappa_t);
     }
 }
 

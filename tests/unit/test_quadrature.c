@@ -22,7 +22,7 @@ static void moments(void **state)
 {
     for (int n = 0; n < SIZE_COUNT; n++) {
         murk_quadrature q;
-        assert_int_equal(murk_quadrature_create(*state, SIZES[n], &q), MURK_OK);
+        assert_int_equal(murk_quadrature_create(*state, SIZES[n], n % 2, &q), MURK_OK);
         assert_int_equal(q.count, 48 * SIZES[n]);
         double sum = 0;
         for (int i = 0; i < q.count; i++) {
@@ -63,7 +63,7 @@ static void symmetry(void **state)
                                     {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     for (int n = 0; n < 6; n++) {
         murk_quadrature q;
-        assert_int_equal(murk_quadrature_create(*state, SIZES[n], &q), MURK_OK);
+        assert_int_equal(murk_quadrature_create(*state, SIZES[n], n % 2, &q), MURK_OK);
         for (int i = 0; i < q.count; i++)
             for (int op = 0; op < 48; op++) {
                 double image[3];
@@ -88,7 +88,7 @@ static void caps(void **state)
     for (int n = 0; n < SIZE_COUNT; n++) {
         murk_quadrature q;
         double sum = 0;
-        assert_int_equal(murk_quadrature_create(*state, SIZES[n], &q), MURK_OK);
+        assert_int_equal(murk_quadrature_create(*state, SIZES[n], n % 2, &q), MURK_OK);
         for (int i = 0; i < q.count; i++) {
             const double *d = q.direction[i];
             sum += (d[0] + 2 * d[1] + 3 * d[2]) / sqrt(14) > 0.9 ? q.weight[i] : 0;

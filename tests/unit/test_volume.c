@@ -157,7 +157,7 @@ static murk_solution *make_solution(murk_context *context, const murk_medium *me
 {
     murk_solution *solution = NULL;
     const murk_scene scene = {.medium = medium, .sun = {{0, 0, -1}, 2}, .sky_radiance = 0.5};
-    if (murk_solution_create(context, &scene, &solution))
+    if (murk_solution_create(context, &scene, 0, &solution))
         fail_msg("%s", murk_context_message(context));
     for (size_t b = 0; b < solution->grid->brick_count; b++)
         for (int slot = 0; slot < MURK_BRICK_SLOTS; slot++)

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Which bricks need sources that vary within their zones. */
+#ifndef MURK_SOLVE_BEND_H
+#define MURK_SOLVE_BEND_H
+
+#include "bent.h"
+#include "medium.h"
+
+/* The bricks that would bring an error of more than `allowed` [1] all together if their sources
+   were constant within zones: those that err most first. On a grid that holds brick b of the medium
+   as map[b], too. */
+typedef struct murk_bend {
+    murk_bent zones, there;
+    double flat; /* relative error of what is left constant */
+} murk_bend;
+
+murk_status murk_bend_create(murk_context *context, const murk_medium *medium, double allowed,
+                             const murk_grid *grid, const int32_t *map, murk_bend *out);
+void murk_bend_clear(murk_bend *bend);
+
+#endif

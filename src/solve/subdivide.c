@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Solving by lines with voxels as small as the tolerance needs. Where zones are so thick that light
+ * varies within them otherwise than linearly, they are halved; what the next halving changes of a
+ * solution with few directions tells the error without it.
+ */
+#include "levels.h"
+
+#include "coarse.h"
+#include "quadrature.h"
+#include "refine.h"
+#include "spatial.h"
+
+#include <math.h>
+
+/* The part of the tolerance that the light's variation within zones may use up. */
+static const double SPATIAL = 0.3;
+/* A halving divides the error by about this: measured 3.2 ... 7. */
+static const double ORDER = 4;
+
+enum { MOST_HALVINGS = 3, COMPARED = 4 * MURK_ORBIT };
+/* Voxels are not halved where there would be more of them. */
+static const double MOST_ZONES = 3e7;
+
+typedef struct murk_subdivision {
+    murk_solution *solution; /* of level 0 the user's */
+    murk_stage stage;
+    murk_levels *levels;
+    int32_t base[3]; /* of the halving that led here, in the voxels before it */
+    double light;    /* seconds */
+} murk_subdivision;
+
+/* ---- levels -------------------------------------------------------------------------------- */
+
+/* All but the solution, which is needed to the end. */
+static void leave(murk_subdivision *level)
+{
+    murk_levels_release(level->levels);
+    murk_stage_clear(&level->stage);
+    level->levels = NULL;
+}
+
+/* Solves a level on few directions, starting from another solution of the user's voxels or NULL. */
+static murk_status begin(murk_context *context, const murk_solve_options *options,
+                         const murk_solution *from, murk_subdivision *level)
+{
+    double start = murk_seconds();
+    level->solution->report.tolerance = options->tolerance;
+    murk_status status =
+        murk_stage_create(context, level->solution, SPATIAL * options->tolerance, &level->stage);
+    level->light = murk_seconds() - start;
+    if (!status)
+        status = murk_levels_begin(context, level->solution, &level->stage, options, from,
+                                   &level->levels);
+    return status;
+}
+
+static murk_status halve(murk_context *context, const murk_subdivision *from, int halvings,
+                         const murk_solve_options *options, murk_subdivision *out)
+{
+    const murk_solution *solution = from->solution;
+    murk_medium *medium = NULL;
+    murk_status status = murk_medium_refine(context, solution->medium, &medium);
+    if (status)
+        return status;
+    const murk_scene scene = {.medium = medium,
+                              .ground = (murk_ground *)solution->ground,
+                              .sun = solution->sun,
+                              .sky_radiance = solution->sky_radiance};
+    murk_refine_base(solution->medium->grid, out->base);
+    status = murk_solution_create(context, &scene, halvings, &out->solution);
+    murk_medium_release(medium);
+    return status ? status : begin(context, options, NULL, out);
+}
+
+/* ---- errors -------------------------------------------------------------------------------- */
+
+/* Relative difference of the coarse solutions of a level and the next, which the same lines have
+   crossed: four to a face here and one to a face there. */
+static murk_status compare(murk_context *context, const murk_solve_options *options,
+                           murk_subdivision *level, const murk_subdivision *next, double *out)
+{
+    const murk_coarse *here = murk_levels_coarse(level->levels);
+    const murk_coarse *there = murk_levels_coarse(next->levels);
+    murk_status status = murk_levels_probe(level->levels, COMPARED, 2 * options->rays);
+    if (!status)
+        status = murk_levels_probe(next->levels, COMPARED, options->rays);
+    float *mean = murk_alloc(here->system.slots, sizeof *mean);
+    if (!status && !mean)
+        status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
+                           here->medium->grid->zone_count);
+    if (!status) {
+        murk_refine_average(there->medium->grid, there->x.zone, next->base, here->medium->grid,
+                            mean);
+        double size = murk_vector_norm2(&here->system, &here->x);
+        for (size_t i = 0; i < here->system.slots; i++)
+            mean[i] = here->medium->kappa_t[i] > 0 ? mean[i] - here->x.zone[i] : 0;
+        double left = murk_vector_norm2(&here->system, &(murk_vector){.zone = mean});
+        *out = size > 0 ? sqrt(left / size) : 0;
+    }
+    murk_free(mean);
+    return status;
+}
+
+/* Halves voxels until their error, which is set, is small enough; the last level is to be solved
+   with all directions. */
+static murk_status descend(murk_context *context, const murk_solve_options *options,
+                           murk_subdivision level[], int *last, double *spatial)
+{
+    const double goal = SPATIAL * options->tolerance;
+    const murk_coarse *coarse = murk_levels_coarse(level->levels);
+    *spatial = level->stage.bend.flat;
+    if (!coarse->system.slopes)
+        return MURK_OK;
+    *spatial += murk_spatial_linear(&coarse->system, &coarse->x, &coarse->direct);
+    while (*spatial > goal && *last < MOST_HALVINGS) {
+        const murk_subdivision *from = &level[*last];
+        double zones = 8.0 * (double)from->solution->medium->grid->zone_count, change = 0;
+        if (zones > MOST_ZONES)
+            break;
+        murk_status status = halve(context, from, *last + 1, options, &level[*last + 1]);
+        if (!status)
+            status = compare(context, options, &level[*last], &level[*last + 1], &change);
+        if (status)
+            return status;
+        *spatial = change * ORDER / (ORDER - 1);
+        if (*spatial <= goal)
+            return MURK_OK;
+        leave(&level[*last]);
+        *spatial /= ORDER;
+        ++*last;
+    }
+    return MURK_OK;
+}
+
+/* ---- all ----------------------------------------------------------------------------------- */
+
+/* Brings the solution of halved voxels to those that they are halves of. */
+static void gather(const murk_subdivision *from, murk_solution *to)
+{
+    const murk_solution *fine = from->solution;
+    const size_t patches = to->ground ? to->ground->patch_count : 0;
+    const murk_report before = to->report;
+    murk_refine_average(fine->grid, fine->radiosity, from->base, to->grid, to->radiosity);
+    for (size_t i = 0; i < patches; i++) {
+        to->patch[i] = fine->patch[i];
+        to->patch_diffuse[i] = fine->patch_diffuse[i];
+    }
+    to->report = fine->report;
+    to->report.zones = before.zones;
+    to->report.bricks = before.bricks;
+    to->report.multiplications = before.multiplications;
+    to->report.multiplications_window = before.multiplications_window;
+    to->report.seconds_setup = before.seconds_setup;
+}
+
+murk_status murk_solve_lines(murk_context *context, murk_solution *solution,
+                             const murk_solve_options *options)
+{
+    murk_subdivision level[MOST_HALVINGS + 1] = {{.solution = solution}};
+    double start = murk_seconds(), spatial = 0;
+    int last = 0;
+    murk_status status = begin(context, options, options->start, level);
+    murk_progress(context, "solve", 0.3);
+    if (!status)
+        status = descend(context, options, level, &last, &spatial);
+    if (!status)
+        status = murk_levels_finish(level[last].levels, spatial);
+    if (!status) {
+        for (int n = last; n > 0; n--)
+            gather(&level[n], level[n - 1].solution);
+        solution->report.subdivision = 1 << last;
+        solution->report.seconds_light = level[0].light;
+        solution->report.seconds_solve =
+            murk_seconds() - start - level[0].light - solution->report.seconds_finish;
+    }
+    for (int n = 0; n <= MOST_HALVINGS; n++) {
+        leave(&level[n]);
+        if (n)
+            murk_solution_release(level[n].solution);
+    }
+    const murk_report *report = &solution->report;
+    if (!status && !report->reached)
+        status = murk_fail(context, MURK_NOT_REACHED,
+                           "the estimated error is %.2g %%, %.2g %% was asked for: raise "
+                           "--directions or the tolerance",
+                           100 * report->estimate, 100 * report->tolerance);
+    return status;
+}
