@@ -66,15 +66,17 @@ murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
     solution->medium = murk_medium_share(scene->medium);
     solution->ground = murk_ground_share(scene->ground);
     solution->sun = scene->sun;
-    solution->sky_radiance = scene->sky_radiance;
+    solution->sun.irradiance = murk_or_none(scene->sun.irradiance);
+    solution->sky_radiance = murk_or_none(scene->sky_radiance);
     const murk_ground *ground = scene->ground;
     if (ground && scene->sun.irradiance > 0 && murk_beam_on_ground(ground, &scene->sun) == 0)
         murk_warn(context, "sun.direction: the sun stands below the ground's horizon and lights "
                            "nothing; direction is the way the light travels, so down");
     if (ground)
-        solution->horizon = ground->mean_emission +
-                            ground->mean_reflectance * (murk_beam_on_ground(ground, &scene->sun) +
-                                                        M_PI * scene->sky_radiance);
+        solution->horizon =
+            ground->mean_emission +
+            ground->mean_reflectance *
+                (murk_beam_on_ground(ground, &solution->sun) + M_PI * solution->sky_radiance);
     murk_status status = murk_grid_dilate(context, scene->medium->input, MARGIN, &solution->grid);
     if (!status) {
         /* The same lines cross the zones here as on the medium's own grid. */

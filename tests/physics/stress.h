@@ -52,9 +52,9 @@ bool stress_open(struct world *w, const struct stress_scene *scene);
 struct stress_solution {
     murk_status status;
     murk_report report;
-    float *B;                /* of the voxels, in their order; owned */
-    size_t bad, negative;    /* values that are not finite, or below 0: voxels, margin, patches */
-    double patches_of_one;   /* largest |Bs - 1| */
+    float *B;              /* of the voxels, in their order; owned */
+    size_t bad, negative;  /* values that are not finite, or below 0: voxels, margin, patches */
+    double patches_of_one; /* largest |Bs - 1| */
 };
 
 /* False, with a message, where murk fails. */
@@ -78,6 +78,8 @@ enum {
     PAIRED = 1 << 2,       /* small and thin enough to compare with pairwise */
     DENORMAL = 1 << 3,     /* lights of 1e-40: float has too few bits left for any relation */
     EMISSION_SET = 1 << 4, /* emission is the row's subject: not to be added to */
+    BETWEEN = 1 << 5,      /* the sun has no dominant axis: which lattice it gets is arbitrary */
+    EDGE_ON = 1 << 6,      /* the sun is on the horizon */
 };
 
 struct stress_row {

@@ -1,184 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The media and lights of the stress suite. Each is small: what is extreme is one property. */
-#include "stress.h"
+/* The rows of the stress suite: media of one extreme property each, and lights on a plain one. */
+#include "stress_media.h"
 
 static const double VOXEL = 0.125; /* [m]; a power of two */
-
-/* ---- media --------------------------------------------------------------------------------- */
-
-/* Adds a box of uniform voxels, `tau` the optical depth of one along x; a tenth of them glow. */
-static void add_box(struct stress_scene *scene, const int32_t lo[3], const int32_t size[3],
-                    double tau, double albedo)
-{
-    size_t count = (size_t)size[0] * (size_t)size[1] * (size_t)size[2];
-    uint64_t random = 31;
-    scene->voxel = realloc(scene->voxel, (scene->count + count) * sizeof *scene->voxel);
-    if (!scene->voxel)
-        abort();
-    for (int32_t i = 0; i < size[0]; i++)
-        for (int32_t j = 0; j < size[1]; j++)
-            for (int32_t k = 0; k < size[2]; k++)
-                scene->voxel[scene->count++] =
-                    (struct stress_voxel){.at = {lo[0] + i, lo[1] + j, lo[2] + k},
-                                          .kappa_t = (float)(tau / scene->size[0]),
-                                          .albedo = (float)albedo,
-                                          .emission = (float)(check_random(&random) < 0.1)};
-}
-
-static void box(struct stress_scene *scene, int32_t nx, int32_t ny, int32_t nz, double tau,
-                double albedo)
-{
-    add_box(scene, (const int32_t[3]){0}, (const int32_t[3]){nx, ny, nz}, tau, albedo);
-}
-
-/* Keeps the voxels that `keep` is true for. */
-static void sieve(struct stress_scene *scene, bool (*keep)(const struct stress_voxel *))
-{
-    size_t kept = 0;
-    for (size_t n = 0; n < scene->count; n++)
-        if (keep(&scene->voxel[n]))
-            scene->voxel[kept++] = scene->voxel[n];
-    scene->count = kept;
-}
-
-/* A box of which a third is empty and the rest has any extinction up to tau a voxel. */
-static void porous(struct stress_scene *scene, double tau)
-{
-    uint64_t random = 32;
-    size_t kept = 0;
-    box(scene, 12, 11, 10, tau, 0.95);
-    for (size_t n = 0; n < scene->count; n++) {
-        double x = 1.5 * check_random(&random) - 0.5;
-        if (x <= 0 && n && n + 1 < scene->count) /* corners stay */
-            continue;
-        scene->voxel[kept] = scene->voxel[n];
-        scene->voxel[kept++].kappa_t *= (float)fmax(x, 0.1);
-    }
-    scene->count = kept;
-}
-
-static void of_albedo(struct stress_scene *scene, double albedo)
-{
-    box(scene, 10, 9, 8, 0.1, albedo);
-}
-
-static void of_any_albedo(struct stress_scene *scene, double tau)
-{
-    uint64_t random = 33;
-    porous(scene, tau);
-    for (size_t n = 0; n < scene->count; n++) {
-        double r = check_random(&random);
-        scene->voxel[n].albedo = r < 0.2 ? 0 : r > 0.8 ? 1 : (float)r;
-    }
-}
-
-static void thin(struct stress_scene *scene, double tau)
-{
-    box(scene, 10, 9, 8, tau, 0.95);
-}
-
-static void thick(struct stress_scene *scene, double tau)
-{
-    box(scene, 12, 11, 10, tau, 1 - 1e-6);
-}
-
-/* Enough zones for coarse ones. */
-static void large(struct stress_scene *scene, double tau)
-{
-    box(scene, 32, 32, 32, tau, 0.95);
-}
-
-static bool is_even(const struct stress_voxel *v)
-{
-    return !((v->at[0] + v->at[1] + v->at[2]) & 1);
-}
-
-static bool in_even_brick(const struct stress_voxel *v)
-{
-    return !(((v->at[0] >> 3) + (v->at[1] >> 3) + (v->at[2] >> 3)) & 1);
-}
-
-static bool on_diagonal(const struct stress_voxel *v)
-{
-    return v->at[0] == v->at[1] && v->at[1] == v->at[2];
-}
-
-/* Every other voxel has 1e-6 of its neighbours' extinction. */
-static void neighbours(struct stress_scene *scene, double tau)
-{
-    box(scene, 12, 11, 10, tau, 0.99);
-    for (size_t n = 0; n < scene->count; n++)
-        if (!is_even(&scene->voxel[n]))
-            scene->voxel[n].kappa_t *= 1e-6f;
-}
-
-/* Anything over six decades. */
-static void wild(struct stress_scene *scene, double tau)
-{
-    uint64_t random = 34;
-    box(scene, 12, 11, 10, tau, 0.99);
-    for (size_t n = 0; n < scene->count; n++)
-        scene->voxel[n].kappa_t *= (float)pow(10, -6 * check_random(&random));
-}
-
-static void voxel_checkers(struct stress_scene *scene, double tau)
-{
-    box(scene, 12, 12, 12, tau, 0.99);
-    sieve(scene, is_even);
-}
-
-static void brick_checkers(struct stress_scene *scene, double tau)
-{
-    box(scene, 24, 24, 24, tau, 0.99);
-    sieve(scene, in_even_brick);
-}
-
-static void diagonal(struct stress_scene *scene, double tau)
-{
-    box(scene, 24, 24, 24, tau, 0.99);
-    sieve(scene, on_diagonal);
-}
-
-static void single(struct stress_scene *scene, double tau)
-{
-    box(scene, 1, 1, 1, tau, 0.95);
-    scene->voxel->emission = 1;
-}
-
-static void sheet(struct stress_scene *scene, double axis)
-{
-    int32_t size[3] = {24, 24, 24};
-    size[(int)axis] = 1;
-    box(scene, size[0], size[1], size[2], 1, 0.99);
-}
-
-static void clouds(struct stress_scene *scene, double distance)
-{
-    const int32_t size[3] = {6, 6, 6}, d = (int32_t)distance;
-    add_box(scene, (const int32_t[3]){0, 0, 0}, size, 0.5, 0.99);
-    add_box(scene, (const int32_t[3]){d, 3, 1}, size, 0.5, 0.99);
-}
-
-/* z edges `ratio` times the others; 1 optical depth along the longest. */
-static void stretched(struct stress_scene *scene, double ratio)
-{
-    scene->size[2] *= ratio;
-    porous(scene, ratio > 1 ? 1 / ratio : 1);
-}
-
-static void of_size(struct stress_scene *scene, double metres)
-{
-    for (int a = 0; a < 3; a++)
-        scene->size[a] = metres;
-    porous(scene, 0.6);
-}
 
 /* ---- numbers at the ends of float ------------------------------------------------------------ */
 
 static void denormal_extinction(struct stress_scene *scene, double part)
 {
     uint64_t random = 35;
-    porous(scene, 0.6);
+    stress_porous(scene, 0.6);
     for (size_t n = 0; n < scene->count; n++)
         if (check_random(&random) < part)
             scene->voxel[n].kappa_t = (float)(1e-45 * pow(10, 12 * check_random(&random)));
@@ -186,17 +17,23 @@ static void denormal_extinction(struct stress_scene *scene, double part)
 
 static void denormal_emission(struct stress_scene *scene, double irradiance)
 {
-    porous(scene, 0.6);
+    stress_porous(scene, 0.6);
     scene->sun.irradiance = irradiance;
     scene->sky = irradiance / 20;
     for (size_t n = 0; n < scene->count; n++)
         scene->voxel[n].emission *= 1e-40f;
 }
 
+static void faint_lights(struct stress_scene *scene, double irradiance)
+{
+    denormal_emission(scene, irradiance);
+    scene->ground_emission = irradiance;
+}
+
 static void decades_of_emission(struct stress_scene *scene, double decades)
 {
     uint64_t random = 36;
-    porous(scene, 0.6);
+    stress_porous(scene, 0.6);
     for (size_t n = 0; n < scene->count; n++)
         scene->voxel[n].emission = (float)pow(10, decades * (check_random(&random) - 0.5));
 }
@@ -213,7 +50,7 @@ static float to_half(float x)
 static void of_halves(struct stress_scene *scene, double tau)
 {
     uint64_t random = 37;
-    porous(scene, tau);
+    stress_porous(scene, tau);
     for (size_t n = 0; n < scene->count; n++) {
         struct stress_voxel *v = &scene->voxel[n];
         /* Some of them in the denormal halves. */
@@ -227,7 +64,7 @@ static void of_halves(struct stress_scene *scene, double tau)
 
 static void sun_along(struct stress_scene *scene, double x, double y, double z)
 {
-    porous(scene, 0.6);
+    stress_porous(scene, 0.6);
     scene->sun = (murk_sun){{x, y, z}, 2};
 }
 
@@ -248,7 +85,7 @@ static void straight_sun(struct stress_scene *scene, double digits)
 static void dark(struct stress_scene *scene, double parameter)
 {
     (void)parameter;
-    porous(scene, 0.6);
+    stress_porous(scene, 0.6);
     scene->sun.irradiance = scene->sky = 0;
     for (size_t n = 0; n < scene->count; n++)
         scene->voxel[n].emission = 0;
@@ -263,13 +100,13 @@ static void sky_alone(struct stress_scene *scene, double reflectance)
 
 static void of_ground(struct stress_scene *scene, double reflectance)
 {
-    porous(scene, 0.6);
+    stress_porous(scene, 0.6);
     scene->reflectance = reflectance;
 }
 
 static void on_ground(struct stress_scene *scene, double gap)
 {
-    porous(scene, 0.6);
+    stress_porous(scene, 0.6);
     scene->gap = gap;
 }
 
@@ -282,51 +119,52 @@ static void glowing_ground(struct stress_scene *scene, double emission)
 /* ---- all ----------------------------------------------------------------------------------- */
 
 const struct stress_row STRESS_ROWS[] = {
-    {"albedo 0", STRESS_OPTICS, of_albedo, 0, PAIRED},
-    {"albedo 0.5", STRESS_OPTICS, of_albedo, 0.5, PAIRED},
-    {"albedo 0.99", STRESS_OPTICS, of_albedo, 0.99, PAIRED},
-    {"albedo 1 - 1e-6", STRESS_OPTICS, of_albedo, 1 - 1e-6, PAIRED},
-    {"albedo 1 - 1e-9", STRESS_OPTICS, of_albedo, 1 - 1e-9, PAIRED},
-    {"albedo 1", STRESS_OPTICS, of_albedo, 1, PAIRED},
-    {"any albedo, 0 and 1 too", STRESS_OPTICS, of_any_albedo, 2, 0},
-    {"1e-8 a voxel", STRESS_OPTICS, thin, 1e-8, PAIRED},
-    {"1e-4 a voxel", STRESS_OPTICS, thin, 1e-4, PAIRED},
-    {"0.02 a voxel, 32 cubed", STRESS_OPTICS, large, 0.02, 0},
-    {"1 a voxel", STRESS_OPTICS, thick, 1, 0},
-    {"20 a voxel", STRESS_OPTICS, thick, 20, 0},
-    {"1e3 a voxel", STRESS_OPTICS, thick, 1e3, 0},
-    {"1e5 a voxel", STRESS_OPTICS, thick, 1e5, 0},
-    {"neighbours 1e6 apart", STRESS_OPTICS, neighbours, 10, 0},
-    {"1e-5 ... 10 a voxel", STRESS_OPTICS, wild, 10, 0},
+    {"albedo 0", STRESS_OPTICS, stress_of_albedo, 0, PAIRED},
+    {"albedo 0.5", STRESS_OPTICS, stress_of_albedo, 0.5, PAIRED},
+    {"albedo 0.99", STRESS_OPTICS, stress_of_albedo, 0.99, PAIRED},
+    {"albedo 1 - 1e-6", STRESS_OPTICS, stress_of_albedo, 1 - 1e-6, PAIRED},
+    {"albedo 1 - 1e-9", STRESS_OPTICS, stress_of_albedo, 1 - 1e-9, PAIRED},
+    {"albedo 1", STRESS_OPTICS, stress_of_albedo, 1, PAIRED},
+    {"any albedo, 0 and 1 too", STRESS_OPTICS, stress_of_any_albedo, 2, 0},
+    {"1e-8 a voxel", STRESS_OPTICS, stress_thin, 1e-8, PAIRED},
+    {"1e-4 a voxel", STRESS_OPTICS, stress_thin, 1e-4, PAIRED},
+    {"0.02 a voxel, 32 cubed", STRESS_OPTICS, stress_large, 0.02, 0},
+    {"1 a voxel", STRESS_OPTICS, stress_thick, 1, 0},
+    {"20 a voxel", STRESS_OPTICS, stress_thick, 20, 0},
+    {"1e3 a voxel", STRESS_OPTICS, stress_thick, 1e3, 0},
+    {"1e5 a voxel", STRESS_OPTICS, stress_thick, 1e5, 0},
+    {"neighbours 1e6 apart", STRESS_OPTICS, stress_neighbours, 10, 0},
+    {"1e-5 ... 10 a voxel", STRESS_OPTICS, stress_wild, 10, 0},
     {"a third of kappa_t denormal", STRESS_OPTICS, denormal_extinction, 0.33, 0},
     {"all kappa_t denormal", STRESS_OPTICS, denormal_extinction, 1, DENORMAL},
     {"half floats", STRESS_OPTICS, of_halves, 0.6, 0},
-    {"voxel checkerboard", STRESS_SHAPES, voxel_checkers, 2, 0},
-    {"brick checkerboard", STRESS_SHAPES, brick_checkers, 1, 0},
-    {"single voxel of 1e-4", STRESS_SHAPES, single, 1e-4, PAIRED},
-    {"single voxel of 1", STRESS_SHAPES, single, 1, 0},
-    {"single voxel of 1e5", STRESS_SHAPES, single, 1e5, 0},
-    {"sheet across x", STRESS_SHAPES, sheet, 0, 0},
-    {"sheet across y", STRESS_SHAPES, sheet, 1, 0},
-    {"sheet across z", STRESS_SHAPES, sheet, 2, 0},
-    {"diagonal of voxels", STRESS_SHAPES, diagonal, 1, 0},
-    {"clouds 60,000 voxels apart", STRESS_SHAPES, clouds, 60000, 0},
-    {"flat voxels 1:100", STRESS_SHAPES, stretched, 0.01, 0},
-    {"needle voxels 100:1", STRESS_SHAPES, stretched, 100, 0},
-    {"voxels of 1e-6 m", STRESS_SHAPES, of_size, 1e-6, 0},
-    {"voxels of 1e6 m", STRESS_SHAPES, of_size, 1e6, 0},
+    {"voxel checkerboard", STRESS_SHAPES, stress_voxel_checkers, 2, 0},
+    {"brick checkerboard", STRESS_SHAPES, stress_brick_checkers, 1, 0},
+    {"single voxel of 1e-4", STRESS_SHAPES, stress_single, 1e-4, PAIRED},
+    {"single voxel of 1", STRESS_SHAPES, stress_single, 1, 0},
+    {"single voxel of 1e5", STRESS_SHAPES, stress_single, 1e5, 0},
+    {"sheet across x", STRESS_SHAPES, stress_sheet, 0, 0},
+    {"sheet across y", STRESS_SHAPES, stress_sheet, 1, 0},
+    {"sheet across z", STRESS_SHAPES, stress_sheet, 2, 0},
+    {"diagonal of voxels", STRESS_SHAPES, stress_diagonal, 1, 0},
+    {"clouds 60,000 voxels apart", STRESS_SHAPES, stress_clouds, 60000, 0},
+    {"flat voxels 1:100", STRESS_SHAPES, stress_stretched, 0.01, 0},
+    {"needle voxels 100:1", STRESS_SHAPES, stress_stretched, 100, 0},
+    {"voxels of 1e-6 m", STRESS_SHAPES, stress_of_size, 1e-6, 0},
+    {"voxels of 1e6 m", STRESS_SHAPES, stress_of_size, 1e6, 0},
     {"emission over 12 decades", STRESS_LIGHTS, decades_of_emission, 12, EMISSION_SET},
     {"denormal emission", STRESS_LIGHTS, denormal_emission, 2, EMISSION_SET},
     {"denormal emission alone", STRESS_LIGHTS, denormal_emission, 0, DENORMAL | EMISSION_SET},
+    {"all lights denormal", STRESS_LIGHTS, faint_lights, 1e-40, DENORMAL | EMISSION_SET},
     {"sun 0.1 degree high", STRESS_LIGHTS, low_sun, 0.1, 0},
     {"sun 1e-6 degree high", STRESS_LIGHTS, low_sun, 1e-6, 0},
-    {"sun on the horizon", STRESS_LIGHTS, low_sun, 0, 0},
+    {"sun on the horizon", STRESS_LIGHTS, low_sun, 0, EDGE_ON},
     {"sun along (1,0,0)", STRESS_LIGHTS, straight_sun, 100, NO_GROUND},
     {"sun along (0,0,-1)", STRESS_LIGHTS, straight_sun, 9, 0},
-    {"sun along (1,1,0)", STRESS_LIGHTS, straight_sun, 110, NO_GROUND},
-    {"sun along (0,1,-1)", STRESS_LIGHTS, straight_sun, 19, 0},
-    {"sun along (1,1,1)", STRESS_LIGHTS, straight_sun, 111, NO_GROUND},
-    {"sun along (1,1,-1)", STRESS_LIGHTS, straight_sun, 119, 0},
+    {"sun along (1,1,0)", STRESS_LIGHTS, straight_sun, 110, NO_GROUND | BETWEEN},
+    {"sun along (0,1,-1)", STRESS_LIGHTS, straight_sun, 19, BETWEEN},
+    {"sun along (1,1,1)", STRESS_LIGHTS, straight_sun, 111, NO_GROUND | BETWEEN},
+    {"sun along (1,1,-1)", STRESS_LIGHTS, straight_sun, 119, BETWEEN},
     {"sky alone, black ground", STRESS_LIGHTS, sky_alone, 0, 0},
     {"sky alone, bright ground", STRESS_LIGHTS, sky_alone, 0.8, NO_SPACE},
     {"sun and sky, black ground", STRESS_LIGHTS, of_ground, 0, NO_SPACE},

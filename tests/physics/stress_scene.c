@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "stress.h"
+#include "stress_check.h"
 
 enum { PATCHES = 6, BRICK = 512 };
 
@@ -150,10 +150,8 @@ bool stress_open(struct world *w, const struct stress_scene *scene)
         world_close(w);
         return false;
     }
-    w->scene = (murk_scene){.medium = w->medium,
-                            .ground = w->ground,
-                            .sun = scene->sun,
-                            .sky_radiance = scene->sky};
+    w->scene = (murk_scene){
+        .medium = w->medium, .ground = w->ground, .sun = scene->sun, .sky_radiance = scene->sky};
     return true;
 }
 
@@ -218,7 +216,7 @@ static double norm_of(const struct stress_scene *scene, const float *a, const fl
     double sum = 0;
     for (size_t n = 0; n < scene->count; n++) {
         double d = (double)a[n] - (b ? b[n] : 0), kappa_t = scene->voxel[n].kappa_t;
-        if (kappa_t >= 1e-30 && !(below && d > 0)) /* below that murk takes them as empty */
+        if (stress_is_zone(scene, n) && !(below && d > 0))
             sum += kappa_t * d * d;
     }
     return sqrt(sum);

@@ -60,6 +60,46 @@ static void test_row(void **state)
     assert_int_equal(failed, 0);
 }
 
+/* The row of half floats from a VDB of half floats, bit for bit. */
+static void half_file(void **state)
+{
+    (void)state;
+    const struct stress_row *row = STRESS_ROWS;
+    while (strcmp(row->name, "half floats"))
+        row++;
+    struct stress_scene scene = stress_row_scene(row, false);
+    for (size_t n = 0; n < scene.count; n++)
+        scene.voxel[n].emission = 0;
+    struct world w;
+    assert_true(stress_open(&w, &scene));
+    assert_int_equal(murk_solve(w.context, &w.scene, NULL, &w.solution), MURK_OK);
+    murk_write_options halves = MURK_WRITE_DEFAULT;
+    halves.half = halves.extinction = halves.albedo = true;
+    const char *path = MURK_ODD_DIR "/stress_half.vdb";
+    assert_int_equal(murk_solution_write(w.solution, path, &halves), MURK_OK);
+
+    murk_volume *volume;
+    murk_medium_options options = MURK_MEDIUM_DEFAULT;
+    options.extinction = (murk_quantity){"extinction", 1, 0};
+    options.albedo = (murk_quantity){"albedo", 1, 0};
+    murk_scene again = w.scene;
+    murk_medium *medium;
+    murk_solution *solution;
+    assert_int_equal(murk_volume_read(w.context, path, &volume), MURK_OK);
+    assert_int_equal(murk_medium_from_volume(w.context, volume, &options, &medium), MURK_OK);
+    again.medium = medium;
+    assert_int_equal(murk_solve(w.context, &again, NULL, &solution), MURK_OK);
+    for (size_t n = 0; n < scene.count; n++) {
+        const int32_t *at = scene.voxel[n].at;
+        assert_within(murk_solution_radiosity(solution, at), world_b(&w, at[0], at[1], at[2]), 0);
+    }
+    murk_solution_release(solution);
+    murk_medium_release(medium);
+    murk_volume_release(volume);
+    world_close(&w);
+    stress_scene_clear(&scene);
+}
+
 /* ---- the table ----------------------------------------------------------------------------- */
 
 static void print_cell(const struct cell *cell)
@@ -106,7 +146,9 @@ int main(int count, char **arguments)
     size_t chosen = 0;
     for (size_t r = 0; r < STRESS_ROW_COUNT; r++)
         if (count < 2 || !strcmp(arguments[1], groups[STRESS_ROWS[r].group]))
-            tests[chosen++] = (struct CMUnitTest){
-                STRESS_ROWS[r].name, test_row, NULL, NULL, (void *)&STRESS_ROWS[r]};
-    return _cmocka_run_group_tests(groups[0], tests, chosen, NULL, NULL);
+            tests[chosen++] = (struct CMUnitTest){STRESS_ROWS[r].name, test_row, NULL, NULL,
+                                                  (void *)&STRESS_ROWS[r]};
+    if (count < 2 || !strcmp(arguments[1], groups[STRESS_OPTICS]))
+        tests[chosen++] = (struct CMUnitTest)cmocka_unit_test(half_file);
+    return _cmocka_run_group_tests("stress", tests, chosen, NULL, NULL);
 }
