@@ -38,6 +38,13 @@ void *murk_alloc(size_t count, size_t size);
 void *murk_alloc_unset(size_t count, size_t size);
 void murk_free(void *memory);
 
+/* Extinctions, albedos and lights below 1e-30 count as 0: no path could notice them, and products
+   with them would be denormal, with too few bits for an iteration to come to an end. */
+static inline double murk_or_none(double value)
+{
+    return value < 1e-30 ? 0 : value;
+}
+
 /* Seconds of a monotonic clock. */
 double murk_seconds(void);
 

@@ -15,8 +15,8 @@ static murk_status clean_extinction(murk_context *context, murk_medium_parts *pa
         if (!(*k >= 0 && *k <= 3e38f)) {
             *k = 0;
             count++;
-        } else if (*k < 1e-30f)
-            *k = 0; /* denormals: nothing that any path could notice */
+        } else
+            *k = (float)murk_or_none(*k);
     }
     if (count && parts->strict)
         return murk_fail(context, MURK_ERROR_INPUT,
@@ -73,7 +73,7 @@ static murk_status take_values(murk_context *context, const murk_medium *medium,
 {
     const murk_grid *grid = medium->grid;
     bool varies = bricks->count > 0;
-    out->constant = (float)constant;
+    out->constant = (float)murk_or_none(constant);
     if (!varies) {
         if (!(constant >= 0 && constant <= maximum))
             return murk_fail(context, MURK_ERROR_INPUT, "%s: %s %g is not in [0, %g]", parts->where,
@@ -113,7 +113,7 @@ static murk_status take_values(murk_context *context, const murk_medium *medium,
                 worst = value;
                 value = value > (float)maximum ? (float)maximum : 0;
             }
-            field[b * MURK_BRICK_SLOTS + (size_t)slot] = value;
+            field[b * MURK_BRICK_SLOTS + (size_t)slot] = (float)murk_or_none(value);
         }
     }
     status = source ? MURK_OK

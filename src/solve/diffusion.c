@@ -114,9 +114,12 @@ murk_status murk_diffusion_create(murk_context *context, const murk_medium *medi
     }
 #pragma omp parallel for num_threads(context->threads) schedule(static)
     for (size_t b = 0; b < bricks; b++) {
-        memcpy(d.brick[b], grid->brick[b], sizeof *d.brick);
+        /* From the lowest brick: coarse cells do not depend on where the medium stands, and meet
+           across the planes where an index is 0. */
+        for (int a = 0; a < 3; a++)
+            d.brick[b][a] = grid->brick[b][a] - (grid->lo[a] >> 3);
         for (int side = 0; side < 6; side++) {
-            int32_t at[3] = {d.brick[b][0], d.brick[b][1], d.brick[b][2]};
+            int32_t at[3] = {grid->brick[b][0], grid->brick[b][1], grid->brick[b][2]};
             at[side / 2] += side & 1 ? 1 : -1;
             d.neighbour[b][side] = murk_grid_find(grid, at[0], at[1], at[2]);
         }

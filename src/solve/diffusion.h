@@ -48,7 +48,7 @@ static inline float murk_zone_weight(const murk_voxel_shape *shape, float kappa_
 typedef struct murk_diffusion {
     size_t brick_count;
     int edge;                /* a brick has edge^3 cells: 4, 2 or 1 */
-    int32_t (*brick)[3];     /* coordinates, ascending */
+    int32_t (*brick)[3];     /* coordinates from the lowest one, ascending */
     int32_t (*neighbour)[6]; /* at -x, +x, -y, +y, -z, +z, or MURK_NO_BRICK */
     float *face;             /* brick_count * murk_diffusion_faces(edge) */
     float *sink;             /* brick_count * murk_diffusion_cells(edge) */

@@ -77,12 +77,14 @@ murk_status murk_solution_create(murk_context *context, const murk_scene *scene,
     solution->medium = murk_medium_share(scene->medium);
     solution->ground = murk_ground_share(scene->ground);
     solution->sun = scene->sun;
-    solution->sky_radiance = scene->sky_radiance;
+    solution->sun.irradiance = murk_or_none(scene->sun.irradiance);
+    solution->sky_radiance = murk_or_none(scene->sky_radiance);
     const murk_ground *ground = scene->ground;
     if (ground)
-        solution->horizon = ground->mean_emission +
-                            ground->mean_reflectance * (murk_beam_on_ground(ground, &scene->sun) +
-                                                        M_PI * scene->sky_radiance);
+        solution->horizon =
+            ground->mean_emission +
+            ground->mean_reflectance *
+                (murk_beam_on_ground(ground, &solution->sun) + M_PI * solution->sky_radiance);
     status = murk_grid_dilate(context, scene->medium->input, MARGIN << halvings, &solution->grid);
     if (!status) {
         /* The same lines cross the zones here as on the medium's own grid. */

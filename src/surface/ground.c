@@ -95,8 +95,9 @@ static void fill_patches(murk_ground *ground, const murk_ground_options *o)
         for (int ia = 0; ia < nx; ia++) {
             size_t pixel = (size_t)murk_ground_row(ground, ib) * (size_t)nx + (size_t)ia;
             size_t patch = murk_ground_interior(ground, ia, ib);
-            double rho = o->reflectance_image ? o->reflectance_image[pixel] : o->reflectance;
-            double e = o->emission_image ? o->emission_image[pixel] : o->emission;
+            double rho =
+                murk_or_none(o->reflectance_image ? o->reflectance_image[pixel] : o->reflectance);
+            double e = murk_or_none(o->emission_image ? o->emission_image[pixel] : o->emission);
             ground->reflectance[patch] = (float)rho;
             ground->emission[patch] = (float)e;
             rho_sum += rho;
