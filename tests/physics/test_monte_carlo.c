@@ -25,22 +25,22 @@ enum { MOST_PATCHES = 100 };
 
 /* A scene for both sides. */
 struct setting {
-    mc_scene mc;
+    struct bench_mc_scene mc;
     float kappa_t[MOST], albedo[MOST], emission[MOST];
     float rho[MOST_PATCHES], glow[MOST_PATCHES];
 };
 
-static int zone_count(const mc_scene *s)
+static int zone_count(const struct bench_mc_scene *s)
 {
     return s->size[0] * s->size[1] * s->size[2];
 }
 
-static int patch_count(const mc_scene *s)
+static int patch_count(const struct bench_mc_scene *s)
 {
     return s->patches[0] * s->patches[1];
 }
 
-static double optical_volume(const mc_scene *s, int zone)
+static double optical_volume(const struct bench_mc_scene *s, int zone)
 {
     return s->kappa_t[zone] * s->voxel[0] * s->voxel[1] * s->voxel[2];
 }
@@ -50,12 +50,12 @@ static double optical_volume(const mc_scene *s, int zone)
 enum { GROUND, ABSORBED, ESCAPED, SUN, ENERGIES };
 
 /* All zones, the layers along z, the octants. */
-static int group_count(const mc_scene *s)
+static int group_count(const struct bench_mc_scene *s)
 {
     return 1 + s->size[2] + 8;
 }
 
-static bool is_in(const mc_scene *s, int zone, int group)
+static bool is_in(const struct bench_mc_scene *s, int zone, int group)
 {
     int k = zone % s->size[2], j = zone / s->size[2] % s->size[1],
         i = zone / s->size[2] / s->size[1];
@@ -66,7 +66,7 @@ static bool is_in(const mc_scene *s, int zone, int group)
            (2 * k >= s->size[2]) == (octant & 1);
 }
 
-static double group_weight(const mc_scene *s, int group)
+static double group_weight(const struct bench_mc_scene *s, int group)
 {
     double weight = 0;
     for (int n = 0; n < zone_count(s); n++)
@@ -75,7 +75,7 @@ static double group_weight(const mc_scene *s, int group)
     return weight;
 }
 
-static void group_means(const mc_scene *s, const double *b, double *out)
+static void group_means(const struct bench_mc_scene *s, const double *b, double *out)
 {
     for (int g = 0; g < group_count(s); g++) {
         double sum = 0;
@@ -87,40 +87,42 @@ static void group_means(const mc_scene *s, const double *b, double *out)
 
 /* ---- Monte Carlo ---- */
 
-static void run_batch(const mc_scene *s, uint64_t seed, long packets, double *b, double *value)
+static bool run_batch(const struct bench_mc_scene *s, uint64_t seed, long packets, double *b,
+                      double *value)
 {
-    double zone[MOST] = {0}, patch[MOST_PATCHES] = {0}, absorbed = 0, ground = 0;
-    mc_tally tally = {.zone = zone, .patch = patch};
-    mc_run(s, seed, packets, &tally);
-    for (int n = 0; n < zone_count(s); n++) {
-        double weight = 4 * optical_volume(s, n);
-        b[n] =
-            weight > 0 ? s->albedo[n] * zone[n] / weight + (1 - s->albedo[n]) * s->emission[n] : 0;
+    double zone[MOST] = {0}, patch[MOST_PATCHES] = {0}, radiosity[MOST_PATCHES];
+    double absorbed = 0, ground = 0;
+    struct bench_mc_tally tally = {.zone = zone, .patch = patch};
+    if (!bench_mc_run(s, false, seed, packets, &tally))
+        return false;
+    bench_mc_radiosity(s, &tally, b, radiosity);
+    for (int n = 0; n < zone_count(s); n++)
         absorbed += (1 - s->albedo[n]) * zone[n];
-    }
-    double area = (s->ground_high[0] - s->ground_low[0]) * (s->ground_high[1] - s->ground_low[1]);
     for (int n = 0; n < patch_count(s); n++)
-        ground +=
-            s->ground_emission[n] / patch_count(s) + s->ground_reflectance[n] * patch[n] / area;
+        ground += radiosity[n] / patch_count(s);
     group_means(s, b, value);
     value += group_count(s);
     value[GROUND] = ground;
     value[ABSORBED] = absorbed;
     value[ESCAPED] = tally.escaped;
     value[SUN] = tally.sun;
+    return true;
 }
 
-static void run_monte_carlo(const mc_scene *s, long packets, struct batches *out)
+static void run_monte_carlo(const struct bench_mc_scene *s, long packets, struct batches *out)
 {
     assert_true(zone_count(s) <= MOST && patch_count(s) <= MOST_PATCHES);
     assert_true(group_count(s) + ENERGIES <= MOST_VALUES);
+    bool ran = true;
+#pragma omp parallel for schedule(dynamic, 1) reduction(&& : ran)
     for (int n = 0; n < BATCHES; n++)
-        run_batch(s, (uint64_t)n + 1, packets / BATCHES, out->b[n], out->value[n]);
+        ran = run_batch(s, (uint64_t)n + 1, packets / BATCHES, out->b[n], out->value[n]) && ran;
+    assert_true(ran);
 }
 
 /* ---- The library ---- */
 
-static void open_setting(const mc_scene *s, struct world *w)
+static void open_setting(const struct bench_mc_scene *s, struct world *w)
 {
     float rho[MOST_PATCHES], glow[MOST_PATCHES];
     murk_array array = {.kappa_t = s->kappa_t, .albedo = s->albedo, .emission = s->emission};
@@ -150,8 +152,8 @@ static void open_setting(const mc_scene *s, struct world *w)
 }
 
 /* e is the error of B, e_energy that of the quadrature behind the energies. */
-static void check_solution(const mc_scene *s, const struct batches *mc, const struct world *w,
-                           double e, double e_energy, double l2)
+static void check_solution(const struct bench_mc_scene *s, const struct batches *mc,
+                           const struct world *w, double e, double e_energy, double l2)
 {
     double b[MOST], weights[MOST], mean[MOST_VALUES], norm2 = 0, share2 = 0, ground = 0, glow = 0;
     const murk_report *report = murk_solution_report(w->solution);
@@ -187,7 +189,7 @@ static void check_solution(const mc_scene *s, const struct batches *mc, const st
 /* Lines within their own estimate, and no further off than the tolerance where that is larger.
    Factors of pairwise are within 0.1 % (test_paper.c); its energies come from 384 directions, with
    twice the error of 1536: it falls like directions^-1/2. */
-static void check_scene(const mc_scene *s, long packets)
+static void check_scene(const struct bench_mc_scene *s, long packets)
 {
     static struct batches mc;
     struct world w;
@@ -210,16 +212,16 @@ static void check_scene(const mc_scene *s, long packets)
 
 /* ---- Scenes ---- */
 
-static mc_scene *start(struct setting *s, int nx, int ny, int nz)
+static struct bench_mc_scene *start(struct setting *s, int nx, int ny, int nz)
 {
     memset(s, 0, sizeof *s);
-    s->mc = (mc_scene){.size = {nx, ny, nz},
-                       .voxel = {0.1, 0.1, 0.1},
-                       .kappa_t = s->kappa_t,
-                       .albedo = s->albedo,
-                       .emission = s->emission,
-                       .ground_reflectance = s->rho,
-                       .ground_emission = s->glow};
+    s->mc = (struct bench_mc_scene){.size = {nx, ny, nz},
+                                    .voxel = {0.1, 0.1, 0.1},
+                                    .kappa_t = s->kappa_t,
+                                    .albedo = s->albedo,
+                                    .emission = s->emission,
+                                    .ground_reflectance = s->rho,
+                                    .ground_emission = s->glow};
     return &s->mc;
 }
 
@@ -242,7 +244,7 @@ static void fill_at_random(struct setting *s, double least, double most)
     }
 }
 
-static void lay_ground(mc_scene *s, int columns, int rows, double gap)
+static void lay_ground(struct bench_mc_scene *s, int columns, int rows, double gap)
 {
     s->patches[0] = columns;
     s->patches[1] = rows;
@@ -253,7 +255,7 @@ static void lay_ground(mc_scene *s, int columns, int rows, double gap)
     }
 }
 
-static void set_sun(mc_scene *s, double x, double y, double z)
+static void set_sun(struct bench_mc_scene *s, double x, double y, double z)
 {
     s->irradiance = 1;
     s->sun[0] = x;
@@ -265,7 +267,7 @@ static void box_on_ground(void **state)
 {
     (void)state;
     static struct setting s;
-    mc_scene *mc = start(&s, 6, 5, 4);
+    struct bench_mc_scene *mc = start(&s, 6, 5, 4);
     fill_evenly(&s, 4, 0.9);
     lay_ground(mc, 8, 7, 0);
     for (int n = 0; n < patch_count(mc); n++)
@@ -279,7 +281,7 @@ static void varied_with_hot_corner(void **state)
 {
     (void)state;
     static struct setting s;
-    mc_scene *mc = start(&s, 10, 9, 8);
+    struct bench_mc_scene *mc = start(&s, 10, 9, 8);
     fill_at_random(&s, 0.2, 0.99);
     for (int n = 0; n < zone_count(mc); n++)
         s.emission[n] = n / 72 < 3 && n / 8 % 9 < 3 && n % 8 < 3 ? 5 : 0;
@@ -291,7 +293,7 @@ static void box_over_bright_square(void **state)
 {
     (void)state;
     static struct setting s;
-    mc_scene *mc = start(&s, 8, 8, 5);
+    struct bench_mc_scene *mc = start(&s, 8, 8, 5);
     fill_evenly(&s, 3, 0.8);
     lay_ground(mc, 10, 10, 0.3);
     for (int n = 0; n < patch_count(mc); n++) {
@@ -307,7 +309,7 @@ static void varied_in_the_sun(void **state)
 {
     (void)state;
     static struct setting s;
-    mc_scene *mc = start(&s, 10, 9, 8);
+    struct bench_mc_scene *mc = start(&s, 10, 9, 8);
     fill_at_random(&s, 0.05, 0.1);
     set_sun(mc, 0.64, 0.48, -0.6);
     check_scene(mc, 8000000);
@@ -321,7 +323,7 @@ static void reference_enclosure(void **state)
     (void)state;
     static struct setting s;
     static struct batches result;
-    mc_scene *mc = start(&s, 6, 7, 5);
+    struct bench_mc_scene *mc = start(&s, 6, 7, 5);
     fill_at_random(&s, 0.2, 0.99);
     for (int n = 0; n < zone_count(mc); n++)
         s.emission[n] = 3;
@@ -337,7 +339,7 @@ static void reference_beam(void **state)
 {
     (void)state;
     static struct setting s;
-    mc_scene *mc = start(&s, 4, 4, 6);
+    struct bench_mc_scene *mc = start(&s, 4, 4, 6);
     fill_evenly(&s, 5, 0);
     lay_ground(mc, 4, 4, 0.2);
     for (int c = 0; c < 2; c++) {
@@ -347,7 +349,8 @@ static void reference_beam(void **state)
     set_sun(mc, 0, 0, -1);
     double zone[2][MOST] = {{0}}, patch[2][MOST_PATCHES] = {{0}}, layer[6] = {0}, ground = 0;
     for (int run = 0; run < 2; run++)
-        mc_run(mc, 7, 1000, &(mc_tally){.zone = zone[run], .patch = patch[run]});
+        assert_true(bench_mc_run(mc, false, 7, 1000,
+                                 &(struct bench_mc_tally){.zone = zone[run], .patch = patch[run]}));
     assert_memory_equal(zone[0], zone[1], sizeof zone[0]);
     for (int n = 0; n < zone_count(mc); n++)
         layer[5 - n % 6] += zone[0][n];
