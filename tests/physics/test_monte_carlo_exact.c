@@ -110,7 +110,7 @@ static void cube(void **state)
         read_cube(entry, EDGE, wanted);
         set_cube(&scene, EDGE, 10, omega);
         for (int exact = 0; exact < 2; exact++) {
-            solve(&scene, exact, 4000000, 0, &answer);
+            solve(&scene, exact, 1000000, 0, &answer);
             double off = differ(answer.zone, wanted, ZONES), noise = 0, size = 0;
             for (int z = 0; z < ZONES; z++) {
                 noise += pow(answer.zone_error[z], 2);
@@ -119,11 +119,11 @@ static void cube(void **state)
             noise = sqrt(noise / size);
             print_message("albedo %g, %s: off by %.3f %%, noise %.3f %%\n", omega,
                           exact ? "exact" : "zonal", 100 * off, 100 * noise);
-            assert_at_most(noise, 0.0015);
+            assert_at_most(noise, 0.005);
             if (exact)
                 assert_at_most(off, 1.3 * noise);
             else
-                assert_true(off > 4 * noise);
+                assert_true(off > 3 * noise);
         }
         checked++;
     }
