@@ -16,34 +16,7 @@
  *  - the light H on the ground, which B and the factors V_kS_i enter with an error of e each:
  *    2 e mean(rho H).
  */
-#include "check.h"
-
-#include "batches.h"
-#include "monte_carlo.h"
-
-enum { MOST_PATCHES = 100 };
-
-/* A scene for both sides. */
-struct setting {
-    struct bench_mc_scene mc;
-    float kappa_t[MOST], albedo[MOST], emission[MOST];
-    float rho[MOST_PATCHES], glow[MOST_PATCHES];
-};
-
-static int zone_count(const struct bench_mc_scene *s)
-{
-    return s->size[0] * s->size[1] * s->size[2];
-}
-
-static int patch_count(const struct bench_mc_scene *s)
-{
-    return s->patches[0] * s->patches[1];
-}
-
-static double optical_volume(const struct bench_mc_scene *s, int zone)
-{
-    return s->kappa_t[zone] * s->voxel[0] * s->voxel[1] * s->voxel[2];
-}
+#include "setting.h"
 
 /* ---- What is compared: groups of zones, then the four below ---- */
 
@@ -85,70 +58,53 @@ static void group_means(const struct bench_mc_scene *s, const double *b, double 
     }
 }
 
-/* ---- Monte Carlo ---- */
-
-static bool run_batch(const struct bench_mc_scene *s, uint64_t seed, long packets, double *b,
-                      double *value)
+/* The means of the groups, and the four. */
+static void derive(const struct bench_mc_scene *s, const struct bench_mc_tally *tally,
+                   const double *b, double *value)
 {
-    double zone[MOST] = {0}, patch[MOST_PATCHES] = {0}, radiosity[MOST_PATCHES];
-    double absorbed = 0, ground = 0;
-    struct bench_mc_tally tally = {.zone = zone, .patch = patch};
-    if (!bench_mc_run(s, false, seed, packets, &tally))
-        return false;
-    bench_mc_radiosity(s, &tally, b, radiosity);
-    for (int n = 0; n < zone_count(s); n++)
-        absorbed += (1 - s->albedo[n]) * zone[n];
-    for (int n = 0; n < patch_count(s); n++)
-        ground += radiosity[n] / patch_count(s);
     group_means(s, b, value);
     value += group_count(s);
-    value[GROUND] = ground;
-    value[ABSORBED] = absorbed;
-    value[ESCAPED] = tally.escaped;
-    value[SUN] = tally.sun;
-    return true;
+    value[GROUND] = value[ABSORBED] = 0;
+    for (int n = 0; n < zone_count(s); n++)
+        value[ABSORBED] += (1 - s->albedo[n]) * tally->zone[n];
+    for (int n = 0; n < patch_count(s); n++)
+        value[GROUND] += b[zone_count(s) + n] / patch_count(s);
+    value[ESCAPED] = tally->escaped;
+    value[SUN] = tally->sun;
 }
 
 static void run_monte_carlo(const struct bench_mc_scene *s, long packets, struct batches *out)
 {
-    assert_true(zone_count(s) <= MOST && patch_count(s) <= MOST_PATCHES);
     assert_true(group_count(s) + ENERGIES <= MOST_VALUES);
-    bool ran = true;
-#pragma omp parallel for schedule(dynamic, 1) reduction(&& : ran)
-    for (int n = 0; n < BATCHES; n++)
-        ran = run_batch(s, (uint64_t)n + 1, packets / BATCHES, out->b[n], out->value[n]) && ran;
-    assert_true(ran);
+    batches_run(s, false, packets, derive, out);
 }
 
-/* ---- The library ---- */
+/* ---- What they have to agree in ---- */
 
-static void open_setting(const struct bench_mc_scene *s, struct world *w)
+/* Within 4 standard errors and an allowance. */
+static void check_value(const struct batches *mc, int which, double value, double allowance)
 {
-    float rho[MOST_PATCHES], glow[MOST_PATCHES];
-    murk_array array = {.kappa_t = s->kappa_t, .albedo = s->albedo, .emission = s->emission};
-    for (int a = 0; a < 3; a++) {
-        array.size[a] = s->size[a];
-        array.voxel_size[a] = s->voxel[a];
-    }
-    murk_ground_options ground = MURK_GROUND_DEFAULT;
-    ground.height = s->height;
-    ground.horizon = false;
-    ground.reflectance_image = rho;
-    ground.emission_image = glow;
-    for (int c = 0; c < 2; c++) {
-        ground.extent_min[c] = s->ground_low[c];
-        ground.extent_max[c] = s->ground_high[c];
-        ground.patches[c] = s->patches[c];
-    }
-    int columns = s->patches[0], rows = s->patches[1];
-    for (int n = 0; n < rows * columns; n++) {
-        int image = (rows - 1 - n / columns) * columns + n % columns;
-        rho[image] = s->ground_reflectance[n];
-        glow[image] = s->ground_emission[n];
-    }
-    world_open(w, 1, &array, columns ? &ground : NULL);
-    w->scene.sun = (murk_sun){{s->sun[0], s->sun[1], s->sun[2]}, s->irradiance};
-    w->scene.sky_radiance = s->sky_radiance;
+    double mean = 0, spread = 0;
+    for (int n = 0; n < BATCHES; n++)
+        mean += mc->value[n][which] / BATCHES;
+    for (int n = 0; n < BATCHES; n++)
+        spread += pow(mc->value[n][which] - mean, 2);
+    double error = sqrt(spread / BATCHES / (BATCHES - 1));
+    if (!(fabs(value - mean) <= 4 * error + allowance))
+        fail_msg("value %d is %.6g; Monte Carlo says %.6g +- %.2g, allowance %.2g (off by %.3f %%)",
+                 which, value, mean, error, allowance, 100 * (value / mean - 1));
+}
+
+static void check_l2(const struct batches *mc, int zones, const double *weight, const double *b,
+                     double allowance)
+{
+    struct distance d = batches_distance(mc, 0, zones, weight, b);
+    double error = distance_error(&d, allowance);
+    print_message("L2 error %.3f %% (+- %.3f %%), allowed %.3f %%\n",
+                  100 * sqrt(fmax(0, d.squared)), 100 * sqrt(error), 100 * allowance);
+    if (!(d.squared <= allowance * allowance + 4 * error))
+        fail_msg("L2 error %.3f %%, above %.3f %%", 100 * sqrt(d.squared),
+                 100 * sqrt(allowance * allowance + 4 * error));
 }
 
 /* e is the error of B, e_energy that of the quadrature behind the energies. */
@@ -157,19 +113,14 @@ static void check_solution(const struct bench_mc_scene *s, const struct batches 
 {
     double b[MOST], weights[MOST], mean[MOST_VALUES], norm2 = 0, share2 = 0, ground = 0, glow = 0;
     const murk_report *report = murk_solution_report(w->solution);
+    setting_solution(s, w, b);
     for (int n = 0; n < zone_count(s); n++) {
         double weight = weights[n] = optical_volume(s, n), a = s->albedo[n];
-        b[n] = weight > 0 ? world_b(w, n / s->size[2] / s->size[1], n / s->size[2] % s->size[1],
-                                    n % s->size[2])
-                          : 0;
         norm2 += weight * b[n] * b[n];
         share2 += weight > 0 ? weight * pow((1 - a) / a, 2) : 0;
     }
-    float patch[MOST_PATCHES];
-    if (patch_count(s))
-        assert_int_equal(murk_solution_ground(w->solution, patch), MURK_OK);
     for (int n = 0; n < patch_count(s); n++) {
-        ground += patch[n] / patch_count(s);
+        ground += b[zone_count(s) + n] / patch_count(s);
         glow += s->ground_emission[n] / patch_count(s);
     }
     print_message("%s: estimate %.3f %%\n", report->method, 100 * report->estimate);
@@ -194,7 +145,7 @@ static void check_scene(const struct bench_mc_scene *s, long packets)
     static struct batches mc;
     struct world w;
     run_monte_carlo(s, packets, &mc);
-    open_setting(s, &w);
+    setting_open(s, 1, &w);
     murk_solve_options options = MURK_SOLVE_DEFAULT;
     options.tolerance = 0.003;
     options.directions = 1536;
@@ -212,27 +163,6 @@ static void check_scene(const struct bench_mc_scene *s, long packets)
 
 /* ---- Scenes ---- */
 
-static struct bench_mc_scene *start(struct setting *s, int nx, int ny, int nz)
-{
-    memset(s, 0, sizeof *s);
-    s->mc = (struct bench_mc_scene){.size = {nx, ny, nz},
-                                    .voxel = {0.1, 0.1, 0.1},
-                                    .kappa_t = s->kappa_t,
-                                    .albedo = s->albedo,
-                                    .emission = s->emission,
-                                    .ground_reflectance = s->rho,
-                                    .ground_emission = s->glow};
-    return &s->mc;
-}
-
-static void fill_evenly(struct setting *s, double kappa_t, double albedo)
-{
-    for (int n = 0; n < zone_count(&s->mc); n++) {
-        s->kappa_t[n] = (float)kappa_t;
-        s->albedo[n] = (float)albedo;
-    }
-}
-
 /* 30 % voids, else 0.02 to 2 optical depths a zone; albedos between the two given. */
 static void fill_at_random(struct setting *s, double least, double most)
 {
@@ -244,35 +174,16 @@ static void fill_at_random(struct setting *s, double least, double most)
     }
 }
 
-static void lay_ground(struct bench_mc_scene *s, int columns, int rows, double gap)
-{
-    s->patches[0] = columns;
-    s->patches[1] = rows;
-    s->height = -gap;
-    for (int c = 0; c < 2; c++) {
-        s->ground_low[c] = -0.1;
-        s->ground_high[c] = -0.1 + 0.1 * s->patches[c];
-    }
-}
-
-static void set_sun(struct bench_mc_scene *s, double x, double y, double z)
-{
-    s->irradiance = 1;
-    s->sun[0] = x;
-    s->sun[1] = y;
-    s->sun[2] = z;
-}
-
 static void box_on_ground(void **state)
 {
     (void)state;
     static struct setting s;
-    struct bench_mc_scene *mc = start(&s, 6, 5, 4);
-    fill_evenly(&s, 4, 0.9);
-    lay_ground(mc, 8, 7, 0);
+    struct bench_mc_scene *mc = setting_start(&s, 6, 5, 4);
+    setting_fill(&s, 4, 0.9);
+    setting_lay_ground(mc, 1, 0);
     for (int n = 0; n < patch_count(mc); n++)
         s.rho[n] = (n + n / 8) % 3 ? 0.3f : 0.8f;
-    set_sun(mc, 0.48, -0.36, -0.8);
+    setting_sun(mc, 0.48, -0.36, -0.8);
     mc->sky_radiance = 0.1;
     check_scene(mc, 2000000);
 }
@@ -281,11 +192,11 @@ static void varied_with_hot_corner(void **state)
 {
     (void)state;
     static struct setting s;
-    struct bench_mc_scene *mc = start(&s, 10, 9, 8);
+    struct bench_mc_scene *mc = setting_start(&s, 10, 9, 8);
     fill_at_random(&s, 0.2, 0.99);
     for (int n = 0; n < zone_count(mc); n++)
         s.emission[n] = n / 72 < 3 && n / 8 % 9 < 3 && n % 8 < 3 ? 5 : 0;
-    set_sun(mc, 0.64, 0.48, -0.6);
+    setting_sun(mc, 0.64, 0.48, -0.6);
     check_scene(mc, 2000000);
 }
 
@@ -293,9 +204,9 @@ static void box_over_bright_square(void **state)
 {
     (void)state;
     static struct setting s;
-    struct bench_mc_scene *mc = start(&s, 8, 8, 5);
-    fill_evenly(&s, 3, 0.8);
-    lay_ground(mc, 10, 10, 0.3);
+    struct bench_mc_scene *mc = setting_start(&s, 8, 8, 5);
+    setting_fill(&s, 3, 0.8);
+    setting_lay_ground(mc, 1, 0.3);
     for (int n = 0; n < patch_count(mc); n++) {
         s.rho[n] = 0.2f;
         s.glow[n] = n % 10 >= 2 && n % 10 < 5 && n / 10 >= 5 && n / 10 < 8 ? 2 : 0.1f;
@@ -309,9 +220,9 @@ static void varied_in_the_sun(void **state)
 {
     (void)state;
     static struct setting s;
-    struct bench_mc_scene *mc = start(&s, 10, 9, 8);
+    struct bench_mc_scene *mc = setting_start(&s, 10, 9, 8);
     fill_at_random(&s, 0.05, 0.1);
-    set_sun(mc, 0.64, 0.48, -0.6);
+    setting_sun(mc, 0.64, 0.48, -0.6);
     check_scene(mc, 8000000);
 }
 
@@ -323,7 +234,7 @@ static void reference_enclosure(void **state)
     (void)state;
     static struct setting s;
     static struct batches result;
-    struct bench_mc_scene *mc = start(&s, 6, 7, 5);
+    struct bench_mc_scene *mc = setting_start(&s, 6, 7, 5);
     fill_at_random(&s, 0.2, 0.99);
     for (int n = 0; n < zone_count(mc); n++)
         s.emission[n] = 3;
@@ -339,14 +250,10 @@ static void reference_beam(void **state)
 {
     (void)state;
     static struct setting s;
-    struct bench_mc_scene *mc = start(&s, 4, 4, 6);
-    fill_evenly(&s, 5, 0);
-    lay_ground(mc, 4, 4, 0.2);
-    for (int c = 0; c < 2; c++) {
-        mc->ground_low[c] = 0;
-        mc->ground_high[c] = 0.4;
-    }
-    set_sun(mc, 0, 0, -1);
+    struct bench_mc_scene *mc = setting_start(&s, 4, 4, 6);
+    setting_fill(&s, 5, 0);
+    setting_lay_ground(mc, 0, 0.2);
+    setting_sun(mc, 0, 0, -1);
     double zone[2][MOST] = {{0}}, patch[2][MOST_PATCHES] = {{0}}, layer[6] = {0}, ground = 0;
     for (int run = 0; run < 2; run++)
         assert_true(bench_mc_run(mc, false, 7, 1000,
