@@ -95,13 +95,14 @@ static void check_value(const struct batches *mc, int which, double value, doubl
                  which, value, mean, error, allowance, 100 * (value / mean - 1));
 }
 
-static void check_l2(const struct batches *mc, int zones, const double *weight, const double *b,
-                     double allowance)
+static void check_l2(const struct batches *mc, int first, int count, const double *weight,
+                     const double *b, double allowance)
 {
-    struct distance d = batches_distance(mc, 0, zones, weight, b);
+    struct distance d = batches_distance(mc, first, count, weight, b);
     double error = distance_error(&d, allowance);
-    print_message("L2 error %.3f %% (+- %.3f %%), allowed %.3f %%\n",
-                  100 * sqrt(fmax(0, d.squared)), 100 * sqrt(error), 100 * allowance);
+    print_message("%s: L2 error %.3f %% (+- %.3f %%), allowed %.3f %%\n",
+                  first ? "ground" : "zones", 100 * sqrt(fmax(0, d.squared)), 100 * sqrt(error),
+                  100 * allowance);
     if (!(d.squared <= allowance * allowance + 4 * error))
         fail_msg("L2 error %.3f %%, above %.3f %%", 100 * sqrt(d.squared),
                  100 * sqrt(allowance * allowance + 4 * error));
@@ -120,11 +121,14 @@ static void check_solution(const struct bench_mc_scene *s, const struct batches 
         share2 += weight > 0 ? weight * pow((1 - a) / a, 2) : 0;
     }
     for (int n = 0; n < patch_count(s); n++) {
+        weights[zone_count(s) + n] = 1;
         ground += b[zone_count(s) + n] / patch_count(s);
         glow += s->ground_emission[n] / patch_count(s);
     }
     print_message("%s: estimate %.3f %%\n", report->method, 100 * report->estimate);
-    check_l2(mc, zone_count(s), weights, b, l2);
+    check_l2(mc, 0, zone_count(s), weights, b, l2);
+    if (patch_count(s))
+        check_l2(mc, zone_count(s), patch_count(s), weights, b, l2);
     group_means(s, b, mean);
     int groups = group_count(s);
     for (int g = 0; g < groups; g++)
@@ -215,6 +219,26 @@ static void box_over_bright_square(void **state)
     check_scene(mc, 2000000);
 }
 
+/* All there is: voids and zones of up to 2 optical depths, any albedo, a hot corner, a ground of
+   patches that differ, sun and sky. */
+static void everything(void **state)
+{
+    (void)state;
+    static struct setting s;
+    struct bench_mc_scene *mc = setting_start(&s, 10, 9, 8);
+    fill_at_random(&s, 0.2, 0.99);
+    for (int n = 0; n < zone_count(mc); n++)
+        s.emission[n] = n / 72 < 3 && n / 8 % 9 < 3 && n % 8 < 3 ? 2 : 0.1f;
+    setting_lay_ground(mc, 1, 0.05);
+    for (int n = 0; n < patch_count(mc); n++) {
+        s.rho[n] = (n + n / 12) % 3 ? 0.2f : 0.7f;
+        s.glow[n] = n % 5 ? 0 : 0.2f;
+    }
+    setting_sun(mc, -0.48, 0.64, -0.6);
+    mc->sky_radiance = 0.1;
+    check_scene(mc, 2000000);
+}
+
 /* Nearly all light is scattered once: B shows the beam itself. */
 static void varied_in_the_sun(void **state)
 {
@@ -271,9 +295,13 @@ static void reference_beam(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reference_enclosure),    cmocka_unit_test(reference_beam),
-        cmocka_unit_test(box_on_ground),          cmocka_unit_test(varied_with_hot_corner),
-        cmocka_unit_test(box_over_bright_square), cmocka_unit_test(varied_in_the_sun),
+        cmocka_unit_test(reference_enclosure),
+        cmocka_unit_test(reference_beam),
+        cmocka_unit_test(box_on_ground),
+        cmocka_unit_test(varied_with_hot_corner),
+        cmocka_unit_test(box_over_bright_square),
+        cmocka_unit_test(varied_in_the_sun),
+        cmocka_unit_test(everything),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
