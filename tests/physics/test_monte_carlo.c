@@ -16,7 +16,7 @@
  *  - the light H on the ground, which B and the factors V_kS_i enter with an error of e each:
  *    2 e mean(rho H).
  */
-#include "setting.h"
+#include "varied.h"
 
 /* ---- What is compared: groups of zones, then the four below ---- */
 
@@ -165,89 +165,15 @@ static void check_scene(const struct bench_mc_scene *s, long packets)
     world_close(&w);
 }
 
-/* ---- Scenes ---- */
-
-/* 30 % voids, else 0.02 to 2 optical depths a zone; albedos between the two given. */
-static void fill_at_random(struct setting *s, double least, double most)
+static void scenes(void **state)
 {
-    uint64_t random = 33;
-    for (int n = 0; n < zone_count(&s->mc); n++) {
-        double x = check_random(&random), y = check_random(&random);
-        s->kappa_t[n] = x < 0.3 ? 0 : (float)(0.2 * pow(100, y));
-        s->albedo[n] = (float)(least + (most - least) * check_random(&random));
+    (void)state;
+    static struct setting s;
+    for (int n = 0; n < VARIED_SCENES; n++) {
+        print_message("%s\n", VARIED[n].name);
+        VARIED[n].make(&s);
+        check_scene(&s.mc, VARIED[n].packets);
     }
-}
-
-static void box_on_ground(void **state)
-{
-    (void)state;
-    static struct setting s;
-    struct bench_mc_scene *mc = setting_start(&s, 6, 5, 4);
-    setting_fill(&s, 4, 0.9);
-    setting_lay_ground(mc, 1, 0);
-    for (int n = 0; n < patch_count(mc); n++)
-        s.rho[n] = (n + n / 8) % 3 ? 0.3f : 0.8f;
-    setting_sun(mc, 0.48, -0.36, -0.8);
-    mc->sky_radiance = 0.1;
-    check_scene(mc, 2000000);
-}
-
-static void varied_with_hot_corner(void **state)
-{
-    (void)state;
-    static struct setting s;
-    struct bench_mc_scene *mc = setting_start(&s, 10, 9, 8);
-    fill_at_random(&s, 0.2, 0.99);
-    for (int n = 0; n < zone_count(mc); n++)
-        s.emission[n] = n / 72 < 3 && n / 8 % 9 < 3 && n % 8 < 3 ? 5 : 0;
-    setting_sun(mc, 0.64, 0.48, -0.6);
-    check_scene(mc, 2000000);
-}
-
-static void box_over_bright_square(void **state)
-{
-    (void)state;
-    static struct setting s;
-    struct bench_mc_scene *mc = setting_start(&s, 8, 8, 5);
-    setting_fill(&s, 3, 0.8);
-    setting_lay_ground(mc, 1, 0.3);
-    for (int n = 0; n < patch_count(mc); n++) {
-        s.rho[n] = 0.2f;
-        s.glow[n] = n % 10 >= 2 && n % 10 < 5 && n / 10 >= 5 && n / 10 < 8 ? 2 : 0.1f;
-    }
-    mc->sky_radiance = 0.05;
-    check_scene(mc, 2000000);
-}
-
-/* All there is: voids and zones of up to 2 optical depths, any albedo, a hot corner, a ground of
-   patches that differ, sun and sky. */
-static void everything(void **state)
-{
-    (void)state;
-    static struct setting s;
-    struct bench_mc_scene *mc = setting_start(&s, 10, 9, 8);
-    fill_at_random(&s, 0.2, 0.99);
-    for (int n = 0; n < zone_count(mc); n++)
-        s.emission[n] = n / 72 < 3 && n / 8 % 9 < 3 && n % 8 < 3 ? 2 : 0.1f;
-    setting_lay_ground(mc, 1, 0.05);
-    for (int n = 0; n < patch_count(mc); n++) {
-        s.rho[n] = (n + n / 12) % 3 ? 0.2f : 0.7f;
-        s.glow[n] = n % 5 ? 0 : 0.2f;
-    }
-    setting_sun(mc, -0.48, 0.64, -0.6);
-    mc->sky_radiance = 0.1;
-    check_scene(mc, 2000000);
-}
-
-/* Nearly all light is scattered once: B shows the beam itself. */
-static void varied_in_the_sun(void **state)
-{
-    (void)state;
-    static struct setting s;
-    struct bench_mc_scene *mc = setting_start(&s, 10, 9, 8);
-    fill_at_random(&s, 0.05, 0.1);
-    setting_sun(mc, 0.64, 0.48, -0.6);
-    check_scene(mc, 8000000);
 }
 
 /* ---- The Monte Carlo by itself ---- */
@@ -259,7 +185,7 @@ static void reference_enclosure(void **state)
     static struct setting s;
     static struct batches result;
     struct bench_mc_scene *mc = setting_start(&s, 6, 7, 5);
-    fill_at_random(&s, 0.2, 0.99);
+    setting_fill_at_random(&s, 0.2, 0.99);
     for (int n = 0; n < zone_count(mc); n++)
         s.emission[n] = 3;
     mc->sky_radiance = 3 / M_PI;
@@ -297,11 +223,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reference_enclosure),
         cmocka_unit_test(reference_beam),
-        cmocka_unit_test(box_on_ground),
-        cmocka_unit_test(varied_with_hot_corner),
-        cmocka_unit_test(box_over_bright_square),
-        cmocka_unit_test(varied_in_the_sun),
-        cmocka_unit_test(everything),
+        cmocka_unit_test(scenes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
