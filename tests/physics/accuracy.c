@@ -14,7 +14,8 @@ int main(int argc, char **argv)
     } parts[] = {{"resolution", accuracy_resolution},
                  {"quadrature", accuracy_quadrature},
                  {"zonal", accuracy_zonal},
-                 {"thick", accuracy_thick}};
+                 {"thick", accuracy_thick},
+                 {"ground", accuracy_ground}};
     int printed = 0;
     for (size_t n = 0; n < sizeof parts / sizeof *parts; n++)
         if (argc < 2 || !strcmp(argv[1], parts[n].name)) {
@@ -22,6 +23,6 @@ int main(int argc, char **argv)
             printed++;
         }
     if (!printed)
-        fprintf(stderr, "usage: accuracy [resolution|quadrature|zonal|thick]\n");
+        fprintf(stderr, "usage: accuracy [resolution|quadrature|zonal|thick|ground]\n");
     return !printed;
 }

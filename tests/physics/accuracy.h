@@ -9,5 +9,7 @@ void accuracy_quadrature(void);
 /* Distances to the Monte Carlo: of the zonal model, and of thick voxels to the exact one. */
 void accuracy_zonal(void);
 void accuracy_thick(void);
+/* Of the ground under a cloud that glows, by directions, to pairwise. */
+void accuracy_ground(void);
 
 #endif

@@ -79,7 +79,7 @@ void accuracy_thick(void)
         printf("| %s, %s, %g |", THICK_SHAPE_NAMES[c.shape], THICK_LIGHT_NAMES[c.light], c.albedo);
         for (int n = 0; n < 4; n++) {
             c.depth = depths[n];
-            thick_run(&c, NULL, 200000, 1, &r[n]);
+            thick_run(&c, NULL, 400000, 1, &r[n]);
             print_distance(&r[n].zones);
         }
         for (int n = 0; n < 4; n++)
@@ -88,4 +88,44 @@ void accuracy_thick(void)
         fflush(stdout);
     }
     printf("\n");
+}
+
+/* Relative distances of zones and ground to `best`. */
+static void print_differences(const struct bench_mc_scene *s, const double *b, const double *best)
+{
+    int zones = zone_count(s), all = zones + patch_count(s);
+    double difference[2] = {0}, size[2] = {0};
+    for (int n = 0; n < all; n++) {
+        double weight = n < zones ? optical_volume(s, n) : 1;
+        difference[n >= zones] += weight * pow(b[n] - best[n], 2);
+        size[n >= zones] += weight * best[n] * best[n];
+    }
+    printf(" %.2f | %.2f |\n", 100 * sqrt(difference[0] / size[0]),
+           100 * sqrt(difference[1] / size[1]));
+}
+
+void accuracy_ground(void)
+{
+    static const int directions[] = {96, 192, 384, 768, 1536, 3072};
+    static struct setting s;
+    static double b[MOST], best[MOST];
+    struct world w;
+    thick_make(&(struct thick_case){THICK_CLOUD, THICK_THERMAL, 0.3, 0.9}, &s);
+    setting_open(&s.mc, 1, &w);
+    murk_solve_options options = MURK_SOLVE_DEFAULT;
+    options.tolerance = 1e-4;
+    options.method = MURK_PAIRWISE;
+    world_solve(&w, &options);
+    setting_solution(&s.mc, &w, best);
+    printf("| directions | estimate [%%] | zones [%%] | ground [%%] |\n|---|---|---|---|\n");
+    options = (murk_solve_options)MURK_SOLVE_DEFAULT;
+    for (size_t n = 0; n < sizeof directions / sizeof *directions; n++) {
+        options.directions = directions[n];
+        world_solve(&w, &options);
+        setting_solution(&s.mc, &w, b);
+        printf("| %d | %.2f |", directions[n], 100 * murk_solution_report(w.solution)->estimate);
+        print_differences(&s.mc, b, best);
+    }
+    printf("\n");
+    world_close(&w);
 }
