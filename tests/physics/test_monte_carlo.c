@@ -16,46 +16,19 @@
  *  - the light H on the ground, which B and the factors V_kS_i enter with an error of e each:
  *    2 e mean(rho H).
  */
-#include "check.h"
-
-#include "batches.h"
-#include "monte_carlo.h"
-
-enum { MOST_PATCHES = 100 };
-
-/* A scene for both sides. */
-struct setting {
-    mc_scene mc;
-    float kappa_t[MOST], albedo[MOST], emission[MOST];
-    float rho[MOST_PATCHES], glow[MOST_PATCHES];
-};
-
-static int zone_count(const mc_scene *s)
-{
-    return s->size[0] * s->size[1] * s->size[2];
-}
-
-static int patch_count(const mc_scene *s)
-{
-    return s->patches[0] * s->patches[1];
-}
-
-static double optical_volume(const mc_scene *s, int zone)
-{
-    return s->kappa_t[zone] * s->voxel[0] * s->voxel[1] * s->voxel[2];
-}
+#include "varied.h"
 
 /* ---- What is compared: groups of zones, then the four below ---- */
 
 enum { GROUND, ABSORBED, ESCAPED, SUN, ENERGIES };
 
 /* All zones, the layers along z, the octants. */
-static int group_count(const mc_scene *s)
+static int group_count(const struct bench_mc_scene *s)
 {
     return 1 + s->size[2] + 8;
 }
 
-static bool is_in(const mc_scene *s, int zone, int group)
+static bool is_in(const struct bench_mc_scene *s, int zone, int group)
 {
     int k = zone % s->size[2], j = zone / s->size[2] % s->size[1],
         i = zone / s->size[2] / s->size[1];
@@ -66,7 +39,7 @@ static bool is_in(const mc_scene *s, int zone, int group)
            (2 * k >= s->size[2]) == (octant & 1);
 }
 
-static double group_weight(const mc_scene *s, int group)
+static double group_weight(const struct bench_mc_scene *s, int group)
 {
     double weight = 0;
     for (int n = 0; n < zone_count(s); n++)
@@ -75,7 +48,7 @@ static double group_weight(const mc_scene *s, int group)
     return weight;
 }
 
-static void group_means(const mc_scene *s, const double *b, double *out)
+static void group_means(const struct bench_mc_scene *s, const double *b, double *out)
 {
     for (int g = 0; g < group_count(s); g++) {
         double sum = 0;
@@ -85,93 +58,77 @@ static void group_means(const mc_scene *s, const double *b, double *out)
     }
 }
 
-/* ---- Monte Carlo ---- */
-
-static void run_batch(const mc_scene *s, uint64_t seed, long packets, double *b, double *value)
+/* The means of the groups, and the four. */
+static void derive(const struct bench_mc_scene *s, const struct bench_mc_tally *tally,
+                   const double *b, double *value)
 {
-    double zone[MOST] = {0}, patch[MOST_PATCHES] = {0}, absorbed = 0, ground = 0;
-    mc_tally tally = {.zone = zone, .patch = patch};
-    mc_run(s, seed, packets, &tally);
-    for (int n = 0; n < zone_count(s); n++) {
-        double weight = 4 * optical_volume(s, n);
-        b[n] =
-            weight > 0 ? s->albedo[n] * zone[n] / weight + (1 - s->albedo[n]) * s->emission[n] : 0;
-        absorbed += (1 - s->albedo[n]) * zone[n];
-    }
-    double area = (s->ground_high[0] - s->ground_low[0]) * (s->ground_high[1] - s->ground_low[1]);
-    for (int n = 0; n < patch_count(s); n++)
-        ground +=
-            s->ground_emission[n] / patch_count(s) + s->ground_reflectance[n] * patch[n] / area;
     group_means(s, b, value);
     value += group_count(s);
-    value[GROUND] = ground;
-    value[ABSORBED] = absorbed;
-    value[ESCAPED] = tally.escaped;
-    value[SUN] = tally.sun;
+    value[GROUND] = value[ABSORBED] = 0;
+    for (int n = 0; n < zone_count(s); n++)
+        value[ABSORBED] += (1 - s->albedo[n]) * tally->zone[n];
+    for (int n = 0; n < patch_count(s); n++)
+        value[GROUND] += b[zone_count(s) + n] / patch_count(s);
+    value[ESCAPED] = tally->escaped;
+    value[SUN] = tally->sun;
 }
 
-static void run_monte_carlo(const mc_scene *s, long packets, struct batches *out)
+static void run_monte_carlo(const struct bench_mc_scene *s, long packets, struct batches *out)
 {
-    assert_true(zone_count(s) <= MOST && patch_count(s) <= MOST_PATCHES);
     assert_true(group_count(s) + ENERGIES <= MOST_VALUES);
-    for (int n = 0; n < BATCHES; n++)
-        run_batch(s, (uint64_t)n + 1, packets / BATCHES, out->b[n], out->value[n]);
+    batches_run(s, false, packets, derive, out);
 }
 
-/* ---- The library ---- */
+/* ---- What they have to agree in ---- */
 
-static void open_setting(const mc_scene *s, struct world *w)
+/* Within 4 standard errors and an allowance. */
+static void check_value(const struct batches *mc, int which, double value, double allowance)
 {
-    float rho[MOST_PATCHES], glow[MOST_PATCHES];
-    murk_array array = {.kappa_t = s->kappa_t, .albedo = s->albedo, .emission = s->emission};
-    for (int a = 0; a < 3; a++) {
-        array.size[a] = s->size[a];
-        array.voxel_size[a] = s->voxel[a];
-    }
-    murk_ground_options ground = MURK_GROUND_DEFAULT;
-    ground.height = s->height;
-    ground.horizon = false;
-    ground.reflectance_image = rho;
-    ground.emission_image = glow;
-    for (int c = 0; c < 2; c++) {
-        ground.extent_min[c] = s->ground_low[c];
-        ground.extent_max[c] = s->ground_high[c];
-        ground.patches[c] = s->patches[c];
-    }
-    int columns = s->patches[0], rows = s->patches[1];
-    for (int n = 0; n < rows * columns; n++) {
-        int image = (rows - 1 - n / columns) * columns + n % columns;
-        rho[image] = s->ground_reflectance[n];
-        glow[image] = s->ground_emission[n];
-    }
-    world_open(w, 1, &array, columns ? &ground : NULL);
-    w->scene.sun = (murk_sun){{s->sun[0], s->sun[1], s->sun[2]}, s->irradiance};
-    w->scene.sky_radiance = s->sky_radiance;
+    double mean = 0, spread = 0;
+    for (int n = 0; n < BATCHES; n++)
+        mean += mc->value[n][which] / BATCHES;
+    for (int n = 0; n < BATCHES; n++)
+        spread += pow(mc->value[n][which] - mean, 2);
+    double error = sqrt(spread / BATCHES / (BATCHES - 1));
+    if (!(fabs(value - mean) <= 4 * error + allowance))
+        fail_msg("value %d is %.6g; Monte Carlo says %.6g +- %.2g, allowance %.2g (off by %.3f %%)",
+                 which, value, mean, error, allowance, 100 * (value / mean - 1));
+}
+
+static void check_l2(const struct batches *mc, int first, int count, const double *weight,
+                     const double *b, double allowance)
+{
+    struct distance d = batches_distance(mc, first, count, weight, b);
+    double error = distance_error(&d, allowance);
+    print_message("%s: L2 error %.3f %% (+- %.3f %%), allowed %.3f %%\n",
+                  first ? "ground" : "zones", 100 * sqrt(fmax(0, d.squared)), 100 * sqrt(error),
+                  100 * allowance);
+    if (!(d.squared <= allowance * allowance + 4 * error))
+        fail_msg("L2 error %.3f %%, above %.3f %%", 100 * sqrt(d.squared),
+                 100 * sqrt(allowance * allowance + 4 * error));
 }
 
 /* e is the error of B, e_energy that of the quadrature behind the energies. */
-static void check_solution(const mc_scene *s, const struct batches *mc, const struct world *w,
-                           double e, double e_energy, double l2)
+static void check_solution(const struct bench_mc_scene *s, const struct batches *mc,
+                           const struct world *w, double e, double e_energy, double l2)
 {
     double b[MOST], weights[MOST], mean[MOST_VALUES], norm2 = 0, share2 = 0, ground = 0, glow = 0;
     const murk_report *report = murk_solution_report(w->solution);
+    setting_solution(s, w, b);
     for (int n = 0; n < zone_count(s); n++) {
         double weight = weights[n] = optical_volume(s, n), a = s->albedo[n];
-        b[n] = weight > 0 ? world_b(w, n / s->size[2] / s->size[1], n / s->size[2] % s->size[1],
-                                    n % s->size[2])
-                          : 0;
         norm2 += weight * b[n] * b[n];
         share2 += weight > 0 ? weight * pow((1 - a) / a, 2) : 0;
     }
-    float patch[MOST_PATCHES];
-    if (patch_count(s))
-        assert_int_equal(murk_solution_ground(w->solution, patch), MURK_OK);
     for (int n = 0; n < patch_count(s); n++) {
-        ground += patch[n] / patch_count(s);
+        weights[zone_count(s) + n] = 1;
+        ground += b[zone_count(s) + n] / patch_count(s);
         glow += s->ground_emission[n] / patch_count(s);
     }
     print_message("%s: estimate %.3f %%\n", report->method, 100 * report->estimate);
-    check_l2(mc, zone_count(s), weights, b, l2);
+    check_l2(mc, 0, zone_count(s), weights, b, l2);
+    if (patch_count(s))
+        check_l2(mc, zone_count(s), patch_count(s), weights, b, l2);
     group_means(s, b, mean);
     int groups = group_count(s);
     for (int g = 0; g < groups; g++)
@@ -187,12 +144,12 @@ static void check_solution(const mc_scene *s, const struct batches *mc, const st
 /* Lines within their own estimate, and no further off than the tolerance where that is larger.
    Factors of pairwise are within 0.1 % (test_paper.c); its energies come from 384 directions, with
    twice the error of 1536: it falls like directions^-1/2. */
-static void check_scene(const mc_scene *s, long packets)
+static void check_scene(const struct bench_mc_scene *s, long packets)
 {
     static struct batches mc;
     struct world w;
     run_monte_carlo(s, packets, &mc);
-    open_setting(s, &w);
+    setting_open(s, 1, &w);
     murk_solve_options options = MURK_SOLVE_DEFAULT;
     options.tolerance = 0.003;
     options.directions = 1536;
@@ -208,109 +165,15 @@ static void check_scene(const mc_scene *s, long packets)
     world_close(&w);
 }
 
-/* ---- Scenes ---- */
-
-static mc_scene *start(struct setting *s, int nx, int ny, int nz)
-{
-    memset(s, 0, sizeof *s);
-    s->mc = (mc_scene){.size = {nx, ny, nz},
-                       .voxel = {0.1, 0.1, 0.1},
-                       .kappa_t = s->kappa_t,
-                       .albedo = s->albedo,
-                       .emission = s->emission,
-                       .ground_reflectance = s->rho,
-                       .ground_emission = s->glow};
-    return &s->mc;
-}
-
-static void fill_evenly(struct setting *s, double kappa_t, double albedo)
-{
-    for (int n = 0; n < zone_count(&s->mc); n++) {
-        s->kappa_t[n] = (float)kappa_t;
-        s->albedo[n] = (float)albedo;
-    }
-}
-
-/* 30 % voids, else 0.02 to 2 optical depths a zone; albedos between the two given. */
-static void fill_at_random(struct setting *s, double least, double most)
-{
-    uint64_t random = 33;
-    for (int n = 0; n < zone_count(&s->mc); n++) {
-        double x = check_random(&random), y = check_random(&random);
-        s->kappa_t[n] = x < 0.3 ? 0 : (float)(0.2 * pow(100, y));
-        s->albedo[n] = (float)(least + (most - least) * check_random(&random));
-    }
-}
-
-static void lay_ground(mc_scene *s, int columns, int rows, double gap)
-{
-    s->patches[0] = columns;
-    s->patches[1] = rows;
-    s->height = -gap;
-    for (int c = 0; c < 2; c++) {
-        s->ground_low[c] = -0.1;
-        s->ground_high[c] = -0.1 + 0.1 * s->patches[c];
-    }
-}
-
-static void set_sun(mc_scene *s, double x, double y, double z)
-{
-    s->irradiance = 1;
-    s->sun[0] = x;
-    s->sun[1] = y;
-    s->sun[2] = z;
-}
-
-static void box_on_ground(void **state)
+static void scenes(void **state)
 {
     (void)state;
     static struct setting s;
-    mc_scene *mc = start(&s, 6, 5, 4);
-    fill_evenly(&s, 4, 0.9);
-    lay_ground(mc, 8, 7, 0);
-    for (int n = 0; n < patch_count(mc); n++)
-        s.rho[n] = (n + n / 8) % 3 ? 0.3f : 0.8f;
-    set_sun(mc, 0.48, -0.36, -0.8);
-    mc->sky_radiance = 0.1;
-    check_scene(mc, 2000000);
-}
-
-static void varied_with_hot_corner(void **state)
-{
-    (void)state;
-    static struct setting s;
-    mc_scene *mc = start(&s, 10, 9, 8);
-    fill_at_random(&s, 0.2, 0.99);
-    for (int n = 0; n < zone_count(mc); n++)
-        s.emission[n] = n / 72 < 3 && n / 8 % 9 < 3 && n % 8 < 3 ? 5 : 0;
-    set_sun(mc, 0.64, 0.48, -0.6);
-    check_scene(mc, 2000000);
-}
-
-static void box_over_bright_square(void **state)
-{
-    (void)state;
-    static struct setting s;
-    mc_scene *mc = start(&s, 8, 8, 5);
-    fill_evenly(&s, 3, 0.8);
-    lay_ground(mc, 10, 10, 0.3);
-    for (int n = 0; n < patch_count(mc); n++) {
-        s.rho[n] = 0.2f;
-        s.glow[n] = n % 10 >= 2 && n % 10 < 5 && n / 10 >= 5 && n / 10 < 8 ? 2 : 0.1f;
+    for (int n = 0; n < VARIED_SCENES; n++) {
+        print_message("%s\n", VARIED[n].name);
+        VARIED[n].make(&s);
+        check_scene(&s.mc, VARIED[n].packets);
     }
-    mc->sky_radiance = 0.05;
-    check_scene(mc, 2000000);
-}
-
-/* Nearly all light is scattered once: B shows the beam itself. */
-static void varied_in_the_sun(void **state)
-{
-    (void)state;
-    static struct setting s;
-    mc_scene *mc = start(&s, 10, 9, 8);
-    fill_at_random(&s, 0.05, 0.1);
-    set_sun(mc, 0.64, 0.48, -0.6);
-    check_scene(mc, 8000000);
 }
 
 /* ---- The Monte Carlo by itself ---- */
@@ -321,8 +184,8 @@ static void reference_enclosure(void **state)
     (void)state;
     static struct setting s;
     static struct batches result;
-    mc_scene *mc = start(&s, 6, 7, 5);
-    fill_at_random(&s, 0.2, 0.99);
+    struct bench_mc_scene *mc = setting_start(&s, 6, 7, 5);
+    setting_fill_at_random(&s, 0.2, 0.99);
     for (int n = 0; n < zone_count(mc); n++)
         s.emission[n] = 3;
     mc->sky_radiance = 3 / M_PI;
@@ -337,17 +200,14 @@ static void reference_beam(void **state)
 {
     (void)state;
     static struct setting s;
-    mc_scene *mc = start(&s, 4, 4, 6);
-    fill_evenly(&s, 5, 0);
-    lay_ground(mc, 4, 4, 0.2);
-    for (int c = 0; c < 2; c++) {
-        mc->ground_low[c] = 0;
-        mc->ground_high[c] = 0.4;
-    }
-    set_sun(mc, 0, 0, -1);
+    struct bench_mc_scene *mc = setting_start(&s, 4, 4, 6);
+    setting_fill(&s, 5, 0);
+    setting_lay_ground(mc, 0, 0.2);
+    setting_sun(mc, 0, 0, -1);
     double zone[2][MOST] = {{0}}, patch[2][MOST_PATCHES] = {{0}}, layer[6] = {0}, ground = 0;
     for (int run = 0; run < 2; run++)
-        mc_run(mc, 7, 1000, &(mc_tally){.zone = zone[run], .patch = patch[run]});
+        assert_true(bench_mc_run(mc, false, 7, 1000,
+                                 &(struct bench_mc_tally){.zone = zone[run], .patch = patch[run]}));
     assert_memory_equal(zone[0], zone[1], sizeof zone[0]);
     for (int n = 0; n < zone_count(mc); n++)
         layer[5 - n % 6] += zone[0][n];
@@ -361,9 +221,9 @@ static void reference_beam(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reference_enclosure),    cmocka_unit_test(reference_beam),
-        cmocka_unit_test(box_on_ground),          cmocka_unit_test(varied_with_hot_corner),
-        cmocka_unit_test(box_over_bright_square), cmocka_unit_test(varied_in_the_sun),
+        cmocka_unit_test(reference_enclosure),
+        cmocka_unit_test(reference_beam),
+        cmocka_unit_test(scenes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
