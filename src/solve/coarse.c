@@ -62,7 +62,8 @@ static float residual_value(const murk_coarse *coarse, const void *user, size_t 
     return direct_value(coarse, NULL, i, o) + albedo * net[o] - (1 - albedo) * x;
 }
 
-/* Radiosity of the voxel in another solution; where it has none, that of beam and emission. */
+/* Radiosity of the voxel in another solution, without what is a lamp now; where it has none, that
+   of beam and emission. */
 static float start_value(const murk_coarse *coarse, const void *user, size_t i, size_t o)
 {
     const murk_solution *start = user;
@@ -71,7 +72,10 @@ static float start_value(const murk_coarse *coarse, const void *user, size_t i, 
     int slot = (int)(i % MURK_BRICK_SLOTS);
     if (at == MURK_NO_BRICK || !murk_grid_active(start->grid, (size_t)at, slot))
         return direct_value(coarse, NULL, i, o);
-    return start->radiosity[(size_t)at * MURK_BRICK_SLOTS + (size_t)slot];
+    const murk_medium *medium = coarse->solution->medium;
+    float lamp = (1 - murk_value(&medium->albedo, i)) *
+                 (murk_value(&medium->emission, i) - murk_value(&coarse->stage->emission, i));
+    return fmaxf(0, start->radiosity[(size_t)at * MURK_BRICK_SLOTS + (size_t)slot] - lamp);
 }
 
 void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *incident,
@@ -215,7 +219,7 @@ murk_status murk_coarse_create(murk_context *context, const murk_solution *solut
     }
     restrict_zones(&made, direct_value, NULL, made.direct.zone);
     for (size_t i = 0; i < made.system.patches; i++)
-        made.direct.patch[i] = murk_stage_patch(stage, solution->ground, i);
+        made.direct.patch[i] = stage->patch[i];
     *out = made;
     return MURK_OK;
 }

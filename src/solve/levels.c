@@ -345,6 +345,8 @@ murk_status murk_solve_lines(murk_context *context, murk_solution *solution,
         solution->report.seconds_solve = solved - start;
         solution->report.seconds_finish = murk_seconds() - solved;
         report_levels(&levels, &solution->report);
+        murk_stage_add_lamps(stage, 1, solution->radiosity);
+        murk_stage_add_patch_lamps(stage, solution);
     }
     murk_lines_release(levels.lines);
     murk_free(levels.net);

@@ -80,6 +80,9 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
     report->reached = true;
     murk_progress(context, "light", 0);
     status = murk_stage_create(context, solution, &stage);
+    if (!status && o.method == MURK_LINES)
+        status = murk_stage_light_lamps(context, solution, &stage);
+    report->lamps = stage.lamps.count;
     report->seconds_light = murk_seconds() - setup;
     if (!status)
         status = o.method == MURK_PAIRWISE ? murk_solve_pairwise(context, solution, &stage, &o)
@@ -91,6 +94,10 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
         return status;
     }
     note_skipped(context, scene, report);
+    if (report->lamps)
+        murk_note(context,
+                  "lamps: %llu emitters, their light gathered line of sight by line of sight",
+                  (unsigned long long)report->lamps);
     *out = solution;
     return status;
 }

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * A zone of power p = kappa V B makes G/4 = p tau / (4 pi r^2). What a line from centre to centre
+ * does not tell is how tau / r^2 varies over the two voxels. Each of them counts as a box of its
+ * neighbour's extinction, which the line passes, and of what it has above that, which is a box in
+ * empty space: the mean of either has a closed form for parallel lines. What is left is of second
+ * order in voxel over distance.
+ */
+#include "lamp_far.h"
+
+#include "box_escape.h"
+#include "walk.h"
+
+#include <math.h>
+
+/* A voxel whose optical depth differs from its neighbour's by less is like it. */
+static const double ALIKE = 1e-3;
+/* Beyond so many optical depths it is dark. */
+static const double DARK = 30;
+
+/* One end of a line: the voxel there and its neighbour on the line [1/m]; the line's length in it.
+ */
+typedef struct line_end {
+    double kappa, neighbour, length;
+} line_end;
+
+typedef struct line {
+    double depth; /* from centre to centre */
+    line_end lamp, receiver;
+} line;
+
+static line walk_line(const murk_sight *sight, const double from[3], const double direction[3],
+                      double r)
+{
+    line met = {0};
+    murk_walk walk;
+    murk_step step;
+    double last = 0, end = 0;
+    murk_walk_start(&walk, sight->grid, from, direction, 0, r);
+    for (int n = 0; met.depth < DARK && murk_walk_next(&walk, &step); n++) {
+        double kappa = sight->kappa_t[(size_t)step.brick * MURK_BRICK_SLOTS + (size_t)step.slot];
+        bool touches = step.t0 <= end * (1 + 1e-12); /* no gap of empty bricks */
+        if (n == 0)
+            met.lamp = (line_end){.kappa = kappa, .length = step.t1};
+        if (n == 1 && touches)
+            met.lamp.neighbour = kappa;
+        met.receiver = (line_end){kappa, touches ? last : 0, step.t1 - step.t0};
+        met.depth += kappa * (step.t1 - step.t0);
+        last = kappa;
+        end = step.t1;
+    }
+    return met;
+}
+
+/* The mean over the voxel at one end in place of the half chord; adds to how much nearer the light
+   is than the voxel's middle. */
+static double end_factor(const double size[3], const double direction[3], const line_end *end,
+                         double *depth, double *nearer)
+{
+    double alike = fmin(end->kappa, end->neighbour), above = end->kappa - alike;
+    double factor = murk_box_mean(size, direction, alike);
+    if (above * end->length < ALIKE)
+        return factor;
+    *depth -= above * end->length;
+    *nearer += murk_box_shift(size, direction, above);
+    return factor * murk_box_escape(size, direction, above);
+}
+
+/* By the second derivatives of exp(-kappa r) / r^2, but for those of exp(-kappa r) alone. */
+static double spread_factor(const double spread[3], const double direction[3], double r,
+                            double kappa)
+{
+    double sum = 0;
+    for (int a = 0; a < 3; a++) {
+        double d2 = direction[a] * direction[a];
+        sum += spread[a] * ((4 * d2 - 1) / r + kappa * (5 * d2 - 1) / 2);
+    }
+    return 1 + sum / r;
+}
+
+double murk_lamp_far(const murk_sight *sight, const murk_lamp_node *node, const double offset[3],
+                     double r2, double kappa_t)
+{
+    const double *size = sight->grid->voxel, r = sqrt(r2);
+    double direction[3], spread[3];
+    for (int a = 0; a < 3; a++) {
+        direction[a] = offset[a] / r;
+        spread[a] = node->spread[a] + size[a] * size[a] / 12;
+    }
+    line met;
+    if (sight->kappa_uniform > 0) {
+        double kappa = sight->kappa_uniform;
+        met.depth = murk_sight_depth(sight, node->centre, direction, 0, r);
+        met.lamp = met.receiver = (line_end){.kappa = kappa, .neighbour = kappa};
+    } else {
+        met = walk_line(sight, node->centre, direction, r);
+    }
+    if (met.depth >= DARK)
+        return 0;
+    double depth = met.depth, factor = 1, nearer = 0, mean = met.depth / r;
+    if (node->lamp) {
+        factor = end_factor(size, direction, &met.lamp, &depth, &nearer);
+    } else {
+        for (int a = 0; a < 3; a++)
+            factor += node->spread[a] * pow(mean * direction[a], 2) / 2;
+    }
+    if (kappa_t > 0)
+        factor *= end_factor(size, direction, &met.receiver, &depth, &nearer);
+    factor *= spread_factor(spread, direction, r, depth > 0 ? depth / r : 0);
+    return node->power / (4 * M_PI * (r - nearer) * (r - nearer)) * factor * exp(-depth);
+}
