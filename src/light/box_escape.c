@@ -44,13 +44,19 @@ double murk_box_escape(const double size[3], const double direction[3], double k
     return 1 - x * (m[0] - one * m[1] + two * m[2] - three * m[3]);
 }
 
-double murk_box_shift(const double size[3], const double direction[3], double kappa)
+/* Of an opaque box one sees the faces: the solid angle of each is, to first order in size over
+   distance, that of its middle, and the sum over `seen` faces that of the cross-section, nearer by
+   (3 - seen)/4 of the mean chord. */
+double murk_box_shift(const double size[3], const double direction[3], double kappa, double r)
 {
     double inverse = 0; /* of the mean chord: volume over cross-section */
-    for (int a = 0; a < 3; a++)
+    int seen = 0;
+    for (int a = 0; a < 3; a++) {
         inverse += fabs(direction[a]) / size[a];
-    double x = kappa / inverse;
-    return (x < 1e-2 ? x / 12 : 0.5 - 1 / x + 1 / expm1(x)) / inverse;
+        seen += fabs(direction[a]) * r > size[a] / 2;
+    }
+    double x = kappa / inverse, opaque = fabs(x) < 1e-2 ? x / 6 : 1 - 2 / x + 2 / expm1(x);
+    return opaque * (3 - seen) / 4 / inverse;
 }
 
 double murk_box_mean(const double size[3], const double direction[3], double kappa)

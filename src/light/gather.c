@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Optical depth by which voxels of a rough medium differ. */
+static const double ROUGH = 0.004;
 /* Lines of sight that lamps are worth for each voxel, and for small media in all. */
 static const double LINES_A_VOXEL = 24, LINES = 4e6;
 typedef struct gather {
@@ -16,6 +18,7 @@ typedef struct gather {
     const murk_medium *medium;
     const murk_grid *to;
     murk_sight sight; /* in the frame of the medium's grid, as all positions */
+    bool rough;       /* the medium differs from voxel to voxel */
     murk_lamp_near near;
     murk_lamp_tree tree;
 } gather;
@@ -39,19 +42,18 @@ static bool is_near(const gather *g, const murk_lamp_node *node, const double of
     return murk_lamp_near_index(&g->near, cells) >= 0;
 }
 
-static void add_far(void *user, const murk_lamp_node *node, const double offset[3], double r2)
+static void add_far(void *user, const murk_lamp_node *node, const double offset[3])
 {
     receiver *at = user;
     if (is_near(at->g, node, offset))
         return;
-    at->light += murk_lamp_far(&at->g->sight, node, offset, r2, at->kappa_t);
+    at->light += murk_lamp_far(&at->g->sight, node, offset, at->kappa_t, at->g->rough);
 }
 
-static void count_line(void *user, const murk_lamp_node *node, const double offset[3], double r2)
+static void count_line(void *user, const murk_lamp_node *node, const double offset[3])
 {
     (void)node;
     (void)offset;
-    (void)r2;
     ++*(size_t *)user;
 }
 
@@ -75,6 +77,23 @@ static receiver receiver_at(const gather *g, const int32_t cell[3])
     return at;
 }
 
+/* Whether one line says too little of those beside it: the mean second difference of the optical
+   depth from voxel to voxel, as the spread of independent voxels. A few voxels do not decide. */
+static bool is_rough(const murk_medium *medium)
+{
+    const murk_grid *grid = medium->grid;
+    double edge = fmax(grid->voxel[0], fmax(grid->voxel[1], grid->voxel[2])), sum = 0, count = 0;
+    for (size_t i = 0; i < grid->brick_count * MURK_BRICK_SLOTS; i++) {
+        const float *k = medium->kappa_t + i;
+        if (!(*k > 0) || i % 8 == 0 || i % 8 == 7)
+            continue;
+        double second = (double)k[1] - 2 * (double)k[0] + (double)k[-1];
+        sum += fabs(second);
+        count++;
+    }
+    return sum > 0 && sqrt(M_PI / 2 / 6) * sum / count * edge > ROUGH;
+}
+
 /* Whether there are too many lamps to be gathered: lines of sight to some of the bricks, and the
    voxels of a patch each as dear as three. */
 static bool too_many(const gather *g, const murk_lamps *lamps)
@@ -89,7 +108,8 @@ static bool too_many(const gather *g, const murk_lamps *lamps)
         murk_lamp_tree_visit(&g->tree, at.centre, count_line, &lines);
     }
     double voxels = (double)g->to->zone_count;
-    double each = (double)lines / (double)samples + 3 * (double)(lamps->count - lamps->zones);
+    double each = (double)lines / (double)samples * (g->rough ? MURK_ROUGH_LINES : 1) +
+                  3 * (double)(lamps->count - lamps->zones);
     return each * voxels > LINES_A_VOXEL * voxels + LINES;
 }
 
@@ -238,7 +258,7 @@ static void gather_on_ground(const gather *g, const murk_ground *ground, const m
 murk_status murk_gather(murk_context *context, const murk_medium *medium, const murk_ground *ground,
                         const murk_grid *to, murk_lamps *lamps, murk_gathered *out)
 {
-    gather g = {.context = context, .medium = medium, .to = to};
+    gather g = {.context = context, .medium = medium, .to = to, .rough = is_rough(medium)};
     const size_t slots = to->brick_count * MURK_BRICK_SLOTS;
     murk_gathered made = {0};
     murk_sight_init(&g.sight, medium, ground);

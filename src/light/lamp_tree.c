@@ -116,7 +116,7 @@ static void visit_node(const murk_lamp_tree *tree, const murk_lamp_node *node,
         r2 += offset[a] * offset[a];
     }
     if (node->first == node->end || r2 >= node->far * node->far) {
-        visit(user, node, offset, r2);
+        visit(user, node, offset);
         return;
     }
     for (size_t i = node->first; i < node->end; i++)

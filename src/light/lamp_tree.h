@@ -31,10 +31,9 @@ void murk_lamp_tree_clear(murk_lamp_tree *tree);
 
 /* Called with each node that stands for its zones at a point, and with the zones nearer than that
    of all others. */
-typedef void murk_lamp_visit(void *user, const murk_lamp_node *node, const double offset[3],
-                             double r2);
+typedef void murk_lamp_visit(void *user, const murk_lamp_node *node, const double offset[3]);
 
-/* Visits the tree from a point; offset is from the node's centre to it and r2 its square. */
+/* Visits the tree from a point; offset is from the node's centre to it. */
 void murk_lamp_tree_visit(const murk_lamp_tree *tree, const double point[3], murk_lamp_visit *visit,
                           void *user);
 

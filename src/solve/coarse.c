@@ -5,6 +5,7 @@
 #include "conjugate_gradients.h"
 #include "preconditioner.h"
 #include "quadrature.h"
+#include "zonewise.h"
 
 #include <math.h>
 #include <string.h>
@@ -296,6 +297,9 @@ murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, dou
     murk_vector_add(&coarse->system, 1, &coarse->d, &coarse->x);
     double norm = murk_vector_norm2(&coarse->system, &coarse->x);
     *change = norm > 0 ? sqrt(murk_vector_norm2(&coarse->system, &coarse->d) / norm) : 0;
+    if (coarse->stage->lamps.count) /* bright zones make up the norm: it tells little of others */
+        *change =
+            fmax(*change, murk_zonewise_change(coarse->medium, coarse->d.zone, coarse->x.zone) / 5);
     return MURK_OK;
 }
 
