@@ -162,7 +162,7 @@ static void add_near(gather *g, const murk_lines_through *lines, const murk_lamp
 
 static murk_status gather_zones(gather *g, const murk_lamps *lamps, murk_gathered *out)
 {
-    enum { MOST_LINES = 4096, ALL_LINES = 1 << 17 };
+    enum { MOST_LINES = 4096, ALL_LINES = 1 << 14 };
     murk_lines_through lines = {0};
     size_t base = lamps->zones ? ALL_LINES / lamps->zones : 0;
     murk_status status =

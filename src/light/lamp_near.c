@@ -41,7 +41,7 @@ murk_status murk_lamp_near_create(murk_context *context, const murk_medium *medi
     double limit = NEAR * fmax(size[0], fmax(size[1], size[2])) * (1 + 1e-6);
     murk_lamp_near near = {.medium = medium};
     for (int a = 0; a < 3; a++)
-        near.reach[a] = (int)(limit / size[a]);
+        near.reach[a] = (int)(limit / size[a]) + 1; /* the rim is beyond */
     near.count = murk_near_count(near.reach);
     double **arrays[] = {&near.geometry, &near.light, &near.length, &near.taken};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
@@ -85,7 +85,8 @@ static double kappa_at(const murk_lamp_near *near, const int32_t cell[3])
 /* (1 - exp(-kappa l)) / kappa */
 static double optical_length(double kappa, double length)
 {
-    return length * murk_chord_escape(kappa * length);
+    double x = kappa * length;
+    return length * (x < 0.03 ? 1 - x / 2 * (1 - x / 3 * (1 - x / 4)) : -expm1(-x) / x);
 }
 
 /* Follows light that leaves the cell at p, a position in it in cells, until it is beyond reach;
@@ -94,19 +95,21 @@ static double follow(murk_lamp_near *near, const double *kappa, const double p[3
                      const double direction[3], double t, double light)
 {
     const double *size = near->medium->grid->voxel;
-    int32_t at[3] = {0, 0, 0};
+    int64_t stride[3], index = (int64_t)near->count / 2, width = 1;
     double step[3], next[3];
-    for (int a = 0; a < 3; a++) {
+    for (int a = 2; a >= 0; a--) {
+        bool up = direction[a] > 0;
+        stride[a] = up ? width : -width;
+        width *= 2 * near->reach[a] + 1;
         step[a] = direction[a] == 0 ? INFINITY : size[a] / fabs(direction[a]);
-        next[a] = direction[a] == 0 ? INFINITY : step[a] * (direction[a] > 0 ? 1 - p[a] : p[a]);
+        next[a] = direction[a] == 0 ? INFINITY : step[a] * (up ? 1 - p[a] : p[a]);
     }
     for (;;) {
         int a = next[0] < next[1] ? 0 : 1;
         a = next[2] < next[a] ? 2 : a;
         next[a] += step[a];
-        at[a] += direction[a] > 0 ? 1 : -1;
-        int64_t index = murk_lamp_near_index(near, at);
-        if (index < 0)
+        index += stride[a];
+        if (!(near->geometry[index] > 0))
             return light;
         double end = fmin(next[0], fmin(next[1], next[2]));
         double taken = light * optical_length(kappa[index], end - t);

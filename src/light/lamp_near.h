@@ -5,12 +5,13 @@
 
 #include "factor_near.h"
 
-/* Values of the offsets within reach[] cells, ordered as in murk_near. */
+/* Values of the offsets within reach[] cells, ordered as in murk_near; of the box that these are,
+   the middle and its surroundings are near. */
 typedef struct murk_lamp_near {
     const murk_medium *medium;
     int reach[3];
     size_t count;
-    double *geometry;       /* integral of 1/(pi r^2) over the two cells [m^4]; 0: beyond reach */
+    double *geometry;       /* integral of 1/(pi r^2) over the two cells [m^4]; 0: not near */
     double *light;          /* G/4 for a lamp of radiosity 1 */
     double *length, *taken; /* scratch */
     double left;            /* share of the lamp's power that goes on to other voxels */

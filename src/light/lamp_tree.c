@@ -5,9 +5,9 @@
 #include <stdlib.h>
 
 /* Distance from which a cell is seen as one, in its longest edges. */
-static const double OPEN = 4;
+static const double OPEN = 3;
 /* Light from within a larger cell than this many optical depths is attenuated too differently. */
-static const double THIN = 0.3;
+static const double THIN = 0.6;
 enum { MOST_LEVELS = 6 };
 
 /* The bits of three coordinates in turn. */

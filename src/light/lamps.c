@@ -6,9 +6,9 @@
  *
  *     e = (4 pi r^2 / N)^1/2 (sum w^2 / a)^1/2,
  *
- * of which the light that was scattered already on its way has no part. Lamps are the smallest set
- * of emitters without which e is small against the tolerance. Only what an emitter has above the
- * mean counts: in an isothermal medium nothing is missed, however compact.
+ * where it comes straight; what is scattered is spread over the medium by then. Lamps are the
+ * smallest set of emitters without which e is small against the tolerance. Only what an emitter has
+ * above the mean counts: in an isothermal medium nothing is missed, however compact.
  */
 #include "lamps.h"
 
@@ -20,13 +20,11 @@
 
 enum { DIRECTIONS = 192, MOST_LAMPS = 1024, MOST_PATCHES = 16 };
 
-/* The share of light at a zone that was never scattered: measured with a hot spot in a cloud. */
-static const double UNCOLLIDED = 0.3;
 /* Uncollided light goes so many mean free paths. */
-static const double FREE_PATHS = 2;
+static const double FREE_PATHS = 1.5;
 /* e that is left to the lines, over the tolerance; and, where lamps cannot bring it down to that,
    over e without lamps: else they are not worth it. */
-static const double GOAL = 0.5, WORTH = 1. / 3;
+static const double GOAL = 2, WORTH = 1. / 3;
 /* Emitters of less than this part of an equal share among the most lamps are none. */
 static const double FAINT = 1. / 16;
 
@@ -169,14 +167,19 @@ static int compare_place(const void *a, const void *b)
     return x->index < y->index ? -1 : x->index > y->index;
 }
 
-/* How far uncollided light goes, squared. */
-static double reach2(const murk_medium *medium, double box)
+/* e^2 over sum w^2 / a, in the mean over the zones: light that was never scattered goes some free
+   paths, and is the less of all light the more is scattered again before it escapes. */
+static double ray_effect(const murk_medium *medium, double box)
 {
-    double depth = 0;
-    for (size_t i = 0; i < medium->grid->brick_count * MURK_BRICK_SLOTS; i++)
+    double depth = 0, scattering = 0;
+    for (size_t i = 0; i < medium->grid->brick_count * MURK_BRICK_SLOTS; i++) {
         depth += medium->kappa_t[i];
-    double free_path = depth > 0 ? (double)medium->grid->zone_count / depth : 0;
-    return fmin(box / 4, pow(FREE_PATHS * free_path, 2));
+        scattering += (double)medium->kappa_t[i] * murk_value(&medium->albedo, i);
+    }
+    double path = FREE_PATHS * (double)medium->grid->zone_count / depth, edge = sqrt(box);
+    double reach = fmin(edge / 2, path), zones = fmin(1, 4 * M_PI / 3 * pow(reach / edge, 3));
+    double again = scattering / depth * (1 - murk_chord_escape(FREE_PATHS * edge / path));
+    return 4 * M_PI * reach * reach / DIRECTIONS * zones * pow(1 - again, 2);
 }
 
 /* Leaves as many of the candidates, which descend, as are worth it. */
@@ -201,8 +204,7 @@ murk_status murk_lamps_choose(murk_context *context, const murk_lit *lit, double
         return MURK_OK;
     measure_box(&m);
     measure_light(&m);
-    double unit = 4 * M_PI * reach2(lit->medium, m.box) / DIRECTIONS * pow(UNCOLLIDED, 2);
-    double goal = unit > 0 ? pow(GOAL * tolerance, 2) / unit : INFINITY;
+    double goal = pow(GOAL * tolerance, 2) / ray_effect(lit->medium, m.box);
     double sum = m.power > 0 ? survey(&m, 0, NULL, 0) : 0;
     if (!(sum > goal))
         return MURK_OK;
