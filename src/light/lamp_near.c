@@ -170,12 +170,13 @@ void murk_lamp_near_trace(murk_lamp_near *near, const murk_lines_through *lines,
     }
     const double own = kappa[self];
     struct sums sums = trace(near, lines, kappa, own);
-    double taken = 0, by_lines = 1 - sums.self - sums.left;
+    const double kept = own * near->geometry[self] / (4 * volume) * sums.self / sums.chord;
+    double taken = 0, by_lines = fmax(0, 1 - kept - sums.left);
     for (size_t i = 0; i < near->count; i++) {
         double mean = near->length[i] > 0 ? near->taken[i] / near->length[i] : 0;
         double light = own * near->geometry[i] * mean / (4 * volume);
         if (i == self)
-            light = own * near->geometry[i] / (4 * volume) * sums.self / sums.chord;
+            light = kept;
         else
             taken += kappa[i] / own * light;
         near->light[i] = light;
@@ -186,5 +187,5 @@ void murk_lamp_near_trace(murk_lamp_near *near, const murk_lines_through *lines,
     double scale = taken > 0 ? 1 + certain * (by_lines / taken - 1) : 1;
     for (size_t i = 0; i < near->count; i++)
         near->light[i] *= i == self ? 1 : scale;
-    near->left = fmax(0, 1 - near->light[self] - scale * taken);
+    near->left = fmax(0, 1 - kept - scale * taken);
 }

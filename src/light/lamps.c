@@ -187,7 +187,9 @@ static size_t enough(const candidate *found, size_t count, double sum, double go
 {
     size_t lamps = 0, patches = 0;
     double rest = sum;
-    for (; lamps < count && lamps < MOST_LAMPS && rest > goal; lamps++) {
+    for (; lamps < count && lamps < MOST_LAMPS; lamps++) {
+        if (rest <= goal && found[lamps].size < 0.5 * found[0].size)
+            break; /* what is alike goes together */
         patches += found[lamps].lamp.ground;
         rest -= found[lamps].size;
     }
