@@ -45,11 +45,13 @@ static line walk_line(const murk_sight *sight, const double from[3], const doubl
     line met = {0};
     murk_walk walk;
     murk_step step;
-    double last = 0, end = 0;
+    double last = 0, end = 0, sliver = 1e-9 * r; /* where a line runs along an edge */
     murk_walk_start(&walk, sight->grid, from, direction, 0, r);
-    for (int n = 0; met.depth < DARK && murk_walk_next(&walk, &step); n++) {
+    for (int n = 0; met.depth < DARK && murk_walk_next(&walk, &step);) {
         double kappa = sight->kappa_t[(size_t)step.brick * MURK_BRICK_SLOTS + (size_t)step.slot];
-        bool touches = step.t0 <= end * (1 + 1e-12); /* no gap of empty bricks */
+        if (step.t1 - step.t0 < sliver)
+            continue;
+        bool touches = step.t0 <= end + sliver; /* no gap of empty bricks */
         if (n == 0)
             met.lamp = (line_end){.kappa = kappa, .length = step.t1};
         if (n == 1 && touches)
@@ -58,6 +60,7 @@ static line walk_line(const murk_sight *sight, const double from[3], const doubl
         met.depth += kappa * (step.t1 - step.t0);
         last = kappa;
         end = step.t1;
+        n++;
     }
     return met;
 }

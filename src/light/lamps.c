@@ -7,8 +7,9 @@
  *     e = (4 pi r^2 / N)^1/2 (sum w^2 / a)^1/2,
  *
  * where it comes straight; what is scattered is spread over the medium by then. Lamps are the
- * smallest set of emitters without which e is small against the tolerance. Only what an emitter has
- * above the mean counts: in an isothermal medium nothing is missed, however compact.
+ * smallest set of emitters without which e is small against the tolerance. Only what an emitter
+ * sends above one of mean temperature counts: in an isothermal medium nothing is missed, however
+ * compact. Where many of the zones are emitters most light comes from near, where lines are many.
  */
 #include "lamps.h"
 
@@ -25,6 +26,8 @@ static const double FREE_PATHS = 1.5;
 /* e that is left to the lines, over the tolerance; and, where lamps cannot bring it down to that,
    over e without lamps: else they are not worth it. */
 static const double GOAL = 2, WORTH = 1. / 3;
+/* The largest part of the zones that are lamps. */
+static const double FEW = 0.01;
 /* Emitters of less than this part of an equal share among the most lamps are none. */
 static const double FAINT = 1. / 16;
 
@@ -34,7 +37,7 @@ typedef struct measure {
     double chord;            /* its mean chord [m] */
     double box;              /* cross-section of the box of the zones */
     double middle[3];        /* of that box, in the ground's (a, b, height above the ground) */
-    double mean, patch_mean; /* radiosities that are everywhere */
+    double mean, patch_mean; /* E that would send out as much, everywhere alike */
     double power;            /* of all light [W] */
 } measure;
 
@@ -97,7 +100,7 @@ static void measure_light(measure *m)
 {
     const murk_lit *lit = m->lit;
     const murk_medium *medium = lit->medium;
-    double emitted = 0, emitters = 0, ground = 0, patches = 0;
+    double emitted = 0, emitters = 0, ground = 0, black = 0;
     for (size_t i = 0; i < medium->grid->brick_count * MURK_BRICK_SLOTS; i++)
         if (medium->kappa_t[i] > 0) {
             double weight = zone_weight(m, i);
@@ -106,11 +109,11 @@ static void measure_light(measure *m)
         }
     for (size_t i = 0; lit->ground && i < lit->ground->patch_count; i++) {
         double weight = patch_weight(m, i);
-        patches += weight;
+        black += weight * (1 - lit->ground->reflectance[i]);
         ground += weight * lit->patch[i];
     }
     m->mean = emitters > 0 ? emitted / emitters : 0;
-    m->patch_mean = patches > 0 ? ground / patches : 0;
+    m->patch_mean = black > 0 ? ground / black : 0;
     m->power = emitted + ground + lit->sun + 4 * m->box * lit->sky;
 }
 
@@ -126,7 +129,8 @@ static candidate zone_candidate(const measure *m, size_t slot)
 static candidate patch_candidate(const measure *m, size_t patch)
 {
     float radiosity = m->lit->patch[patch];
-    double w = patch_weight(m, patch) * fmax(0, radiosity - m->patch_mean) / m->power;
+    double above = radiosity - (1 - m->lit->ground->reflectance[patch]) * m->patch_mean;
+    double w = patch_weight(m, patch) * fmax(0, above) / m->power;
     return (candidate){w * w / murk_ground_area(m->lit->ground, patch), {patch, radiosity, true}};
 }
 
@@ -183,17 +187,18 @@ static double ray_effect(const murk_medium *medium, double box)
 }
 
 /* Leaves as many of the candidates, which descend, as are worth it. */
-static size_t enough(const candidate *found, size_t count, double sum, double goal)
+static size_t enough(const candidate *found, size_t count, double sum, double goal, size_t zones)
 {
     size_t lamps = 0, patches = 0;
     double rest = sum;
     for (; lamps < count && lamps < MOST_LAMPS; lamps++) {
-        if (rest <= goal && found[lamps].size < 0.5 * found[0].size)
+        if (rest <= goal && found[lamps].size < 0.1 * found[0].size)
             break; /* what is alike goes together */
         patches += found[lamps].lamp.ground;
         rest -= found[lamps].size;
     }
-    bool worth = rest <= fmax(goal, WORTH * WORTH * sum) && patches <= MOST_PATCHES;
+    bool worth = rest <= fmax(goal, WORTH * WORTH * sum) && patches <= MOST_PATCHES &&
+                 (double)(lamps - patches) <= FEW * (double)zones;
     return worth ? lamps : 0;
 }
 
@@ -221,7 +226,7 @@ murk_status murk_lamps_choose(murk_context *context, const murk_lit *lit, double
     size_t count = (size_t)survey(&m, FAINT * sum / MOST_LAMPS, found, capacity);
     qsort(found, count, sizeof *found, compare_size);
     out->lamp = lamp;
-    out->count = enough(found, count, sum, goal);
+    out->count = enough(found, count, sum, goal, lit->medium->grid->zone_count);
     for (size_t i = 0; i < out->count; i++) {
         lamp[i] = found[i].lamp;
         out->zones += !lamp[i].ground;
