@@ -81,7 +81,7 @@ static uint64_t check_pairwise(murk_context *context, const murk_scene *scene, i
 static void hot_spot(void **state)
 {
     (void)state;
-    enum { SIZE = 14 };
+    enum { SIZE = 11 };
     murk_context *context = check_context(0, NULL);
     murk_medium *medium = make_cloud(context, SIZE, true);
     assert_int_equal(check_pairwise(context, &(murk_scene){.medium = medium}, SIZE), 8);
@@ -93,7 +93,7 @@ static void hot_spot(void **state)
 static void bright_patch(void **state)
 {
     (void)state;
-    enum { SIZE = 14, PATCHES = 16 };
+    enum { SIZE = 11, PATCHES = 16 };
     float glow[PATCHES * PATCHES] = {0};
     glow[5 * PATCHES + 9] = 100;
     murk_context *context = check_context(0, NULL);
