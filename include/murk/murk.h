@@ -369,6 +369,8 @@ typedef struct murk_report {
     double crossings_dark;   /**< of them, those passed over because there was no light to carry */
     double crossings_unseen; /**< of them, those that the camera saved */
     double seconds_exchange; /**< lines: time in those applications */
+    uint64_t lamps;          /**< lines: zones and patches that are so bright and compact that their
+                                  light was followed to each zone and patch */
     int coarsening;          /**< lines: edge of the zones on which the scattering orders were
                                   iterated, in voxels; 1: none were merged */
     double residual;         /**< relative; lines: on the fine level, before the last correction */

@@ -4,12 +4,7 @@
 
 #include <math.h>
 
-static double face(const murk_walk *walk, int a, int32_t cell)
-{
-    return ((double)cell - walk->origin[a]) * walk->inverse[a];
-}
-
-static void find_brick(murk_walk *walk)
+void murk_walk_find(murk_walk *walk)
 {
     const int32_t *lo = walk->grid->lo;
     walk->brick = murk_grid_find(walk->grid, (walk->cell[0] + lo[0]) >> 3,
@@ -29,7 +24,7 @@ static void set_faces(murk_walk *walk)
 {
     for (int a = 0; a < 3; a++)
         walk->t_next[a] =
-            walk->step[a] ? face(walk, a, walk->cell[a] + (walk->step[a] > 0)) : INFINITY;
+            walk->step[a] ? murk_walk_face(walk, a, walk->cell[a] + (walk->step[a] > 0)) : INFINITY;
 }
 
 void murk_walk_start(murk_walk *walk, const murk_grid *grid, const double origin[3],
@@ -50,8 +45,8 @@ void murk_walk_start(murk_walk *walk, const murk_grid *grid, const double origin
                 walk->t_end = -1;
             continue;
         }
-        double t0 = face(walk, a, walk->step[a] > 0 ? 0 : (int32_t)size);
-        double t1 = face(walk, a, walk->step[a] > 0 ? (int32_t)size : 0);
+        double t0 = murk_walk_face(walk, a, walk->step[a] > 0 ? 0 : (int32_t)size);
+        double t1 = murk_walk_face(walk, a, walk->step[a] > 0 ? (int32_t)size : 0);
         walk->t = fmax(walk->t, t0);
         walk->t_end = fmin(walk->t_end, t1);
     }
@@ -64,11 +59,10 @@ void murk_walk_start(murk_walk *walk, const murk_grid *grid, const double origin
                              grid->hi[2] - grid->lo[2] - 1};
     place(walk, low, high);
     set_faces(walk);
-    find_brick(walk);
+    murk_walk_find(walk);
 }
 
-/* From a brick that does not exist to the next brick on the ray. */
-static void skip_brick(murk_walk *walk)
+void murk_walk_skip(murk_walk *walk)
 {
     const int32_t *lo = walk->grid->lo;
     int32_t low[3], high[3];
@@ -77,8 +71,9 @@ static void skip_brick(murk_walk *walk)
     for (int a = 0; a < 3; a++) {
         low[a] = ((walk->cell[a] + lo[a]) & ~7) - lo[a];
         high[a] = low[a] + 7;
-        double exit =
-            walk->step[a] ? face(walk, a, walk->step[a] > 0 ? low[a] + 8 : low[a]) : INFINITY;
+        double exit = walk->step[a]
+                          ? murk_walk_face(walk, a, walk->step[a] > 0 ? low[a] + 8 : low[a])
+                          : INFINITY;
         if (exit < t) {
             t = exit;
             through = a;
@@ -88,38 +83,7 @@ static void skip_brick(murk_walk *walk)
     place(walk, low, high);
     walk->cell[through] = walk->step[through] > 0 ? low[through] + 8 : low[through] - 1;
     set_faces(walk);
-    find_brick(walk);
-}
-
-bool murk_walk_next(murk_walk *walk, murk_step *step)
-{
-    const int32_t *lo = walk->grid->lo;
-    while (walk->t < walk->t_end) {
-        if (walk->brick == MURK_NO_BRICK) {
-            skip_brick(walk);
-            continue;
-        }
-        int a = walk->t_next[0] < walk->t_next[1] ? 0 : 1;
-        if (walk->t_next[2] < walk->t_next[a])
-            a = 2;
-        double t1 = fmin(walk->t_next[a], walk->t_end);
-        const int32_t *cell = walk->cell;
-        step->brick = walk->brick;
-        step->slot =
-            ((cell[0] + lo[0]) & 7) * 64 + ((cell[1] + lo[1]) & 7) * 8 + ((cell[2] + lo[2]) & 7);
-        step->t0 = walk->t;
-        step->t1 = t1;
-        walk->cell[a] += walk->step[a];
-        walk->t_next[a] = face(walk, a, walk->cell[a] + (walk->step[a] > 0));
-        bool left = ((walk->cell[a] + lo[a]) & 7) == (walk->step[a] > 0 ? 0 : 7);
-        if (left && t1 < walk->t_end)
-            find_brick(walk);
-        bool passed = t1 > walk->t;
-        walk->t = fmax(t1, walk->t);
-        if (passed)
-            return true;
-    }
-    return false;
+    murk_walk_find(walk);
 }
 
 double murk_walk_depth(const murk_grid *grid, const float *kappa_t, const double origin[3],

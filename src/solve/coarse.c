@@ -5,6 +5,7 @@
 #include "conjugate_gradients.h"
 #include "preconditioner.h"
 #include "quadrature.h"
+#include "zonewise.h"
 
 #include <math.h>
 #include <string.h>
@@ -62,7 +63,8 @@ static float residual_value(const murk_coarse *coarse, const void *user, size_t 
     return direct_value(coarse, NULL, i, o) + albedo * net[o] - (1 - albedo) * x;
 }
 
-/* Radiosity of the voxel in another solution; where it has none, that of beam and emission. */
+/* Radiosity of the voxel in another solution, without what is a lamp now; where it has none, that
+   of beam and emission. */
 static float start_value(const murk_coarse *coarse, const void *user, size_t i, size_t o)
 {
     const murk_solution *start = user;
@@ -71,7 +73,10 @@ static float start_value(const murk_coarse *coarse, const void *user, size_t i, 
     int slot = (int)(i % MURK_BRICK_SLOTS);
     if (at == MURK_NO_BRICK || !murk_grid_active(start->grid, (size_t)at, slot))
         return direct_value(coarse, NULL, i, o);
-    return start->radiosity[(size_t)at * MURK_BRICK_SLOTS + (size_t)slot];
+    const murk_medium *medium = coarse->solution->medium;
+    float lamp = (1 - murk_value(&medium->albedo, i)) *
+                 (murk_value(&medium->emission, i) - murk_value(&coarse->stage->emission, i));
+    return fmaxf(0, start->radiosity[(size_t)at * MURK_BRICK_SLOTS + (size_t)slot] - lamp);
 }
 
 void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *net_slope,
@@ -232,7 +237,7 @@ murk_status murk_coarse_create(murk_context *context, const murk_solution *solut
         made.direct.slope[j] = murk_stage_direct_slope(stage, solution->medium,
                                                        murk_bent_slot(&stage->bend.zones, j), j);
     for (size_t i = 0; i < made.system.patches; i++)
-        made.direct.patch[i] = murk_stage_patch(stage, solution->ground, i);
+        made.direct.patch[i] = stage->patch[i];
     *out = made;
     return MURK_OK;
 }
@@ -333,6 +338,9 @@ murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, dou
         return status;
     murk_vector_add(&coarse->system, 1, &coarse->d, &coarse->x);
     out->change = relative(coarse, &coarse->d);
+    if (coarse->stage->lamps.count) /* bright zones make up the norm: it tells little of others */
+        out->change = fmax(
+            out->change, murk_zonewise_change(coarse->medium, coarse->d.zone, coarse->x.zone) / 5);
     return MURK_OK;
 }
 

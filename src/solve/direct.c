@@ -125,8 +125,8 @@ static murk_status finish(murk_context *context, murk_solution *solution, const 
     for (size_t i = 0; !status && i < patches; i++) {
         solution->patch[i] = x->patch[i];
         if (ground->reflectance[i] > 0)
-            solution->patch_diffuse[i] = fmaxf(
-                0, (x->patch[i] - murk_stage_patch(stage, ground, i)) / ground->reflectance[i]);
+            solution->patch_diffuse[i] =
+                fmaxf(0, (x->patch[i] - stage->patch[i]) / ground->reflectance[i]);
     }
     for (int b = 0; b < 2; b++) {
         murk_free(net[b]);
@@ -144,7 +144,7 @@ static void set_direct(const murk_system *system, const murk_stage *stage, murk_
         direct->zone[i] = murk_stage_direct(stage, system->medium, i, o);
     }
     for (size_t i = 0; i < system->patches; i++)
-        direct->patch[i] = murk_stage_patch(stage, system->ground, i);
+        direct->patch[i] = stage->patch[i];
 }
 
 murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,

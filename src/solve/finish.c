@@ -4,6 +4,7 @@
 #include "lines.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Albedo at a voxel that is no zone: the mean over the nearest zones, `mean` where none is near. */
 static float margin_albedo(const murk_medium *medium, const int32_t voxel[3], double mean)
@@ -87,10 +88,10 @@ static struct sums fill_zones(murk_solution *solution, const murk_stage *stage,
             if (!(weight > 0) || !murk_region_has(&arrived->region, from->brick[b]))
                 continue;
             double albedo = murk_value(&medium->albedo, i), x = solution->radiosity[o];
-            double emission = (1 - albedo) * murk_value(&medium->emission, i);
+            double emission = (1 - albedo) * murk_value(&stage->emission, i);
             double incident = (double)net[o] + x + stage->beam[o] / 4; /* G/4 */
             double after = albedo * incident + emission;
-            emitted += weight * emission;
+            emitted += weight * (1 - albedo) * murk_value(&medium->emission, i);
             absorbed += weight * (1 - albedo) * incident;
             moved += weight * (after - x) * (after - x);
             size += weight * after * after;
@@ -105,22 +106,22 @@ static void fill_patches(murk_solution *solution, const murk_stage *stage, const
     const murk_ground *ground = solution->ground;
     for (size_t i = 0; ground && i < ground->patch_count; i++) {
         solution->patch_diffuse[i] = fmaxf(0, incident[i]);
-        solution->patch[i] = murk_stage_patch(stage, ground, i) +
-                             ground->reflectance[i] * solution->patch_diffuse[i];
+        solution->patch[i] = stage->patch[i] + ground->reflectance[i] * solution->patch_diffuse[i];
     }
 }
 
 /* emitted + sun + diffuse = absorbed + escaped. net is what the lines bring in minus carry out,
-   diffuse what the medium takes of the light from outside. */
-static void fill_balance(murk_report *report, const struct sums *sums, double sun,
+   diffuse what the medium takes of the light from outside; they know nothing of lamps. */
+static void fill_balance(murk_report *report, const struct sums *sums, const murk_stage *stage,
                          const murk_arrived *arrived)
 {
     report->energy_emitted = sums->emitted;
     report->energy_absorbed = sums->absorbed;
-    report->energy_sun = sun;
-    report->energy_diffuse = arrived->diffuse;
-    report->energy_escaped = arrived->diffuse - arrived->net_power;
-    double sources = report->energy_emitted + sun + arrived->diffuse;
+    report->energy_sun = stage->extinguished;
+    report->energy_diffuse = arrived->diffuse + stage->lamps_ground;
+    report->energy_escaped =
+        arrived->diffuse - arrived->net_power + stage->lamps_sent - stage->lamps_kept;
+    double sources = report->energy_emitted + report->energy_sun + report->energy_diffuse;
     double lost = report->energy_absorbed + report->energy_escaped;
     report->energy_balance = sources > 0 ? fabs(sources - lost) / sources : 0;
     if (arrived->region.limited)
@@ -134,7 +135,7 @@ double murk_finish(murk_solution *solution, const murk_stage *stage, const murk_
     fill_margin(solution, stage, arrived);
     fill_patches(solution, stage, arrived->incident);
     struct sums sums = fill_zones(solution, stage, arrived, keep);
-    fill_balance(&solution->report, &sums, stage->extinguished, arrived);
+    fill_balance(&solution->report, &sums, stage, arrived);
     return sums.size > 0 ? sqrt(sums.change / sums.size) : 0;
 }
 
@@ -147,9 +148,12 @@ murk_status murk_solution_light_ground(murk_context *context, murk_solution *sol
     murk_status status = murk_stage_create(context, solution, INFINITY, &stage);
     if (status)
         return status;
+    status = murk_stage_light_lamps(context, solution, &stage);
+    size_t slots = solution->grid->brick_count * MURK_BRICK_SLOTS;
     murk_lines *lines = NULL;
     float *incident = murk_alloc(solution->ground->patch_count, sizeof *incident);
-    if (!incident)
+    float *scattered = murk_alloc(slots, sizeof *scattered);
+    if (!status && (!incident || !scattered))
         status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for the ground");
     if (!status)
         status = murk_lines_create(context, solution->grid, stage.kappa_t, solution->ground,
@@ -157,15 +161,19 @@ murk_status murk_solution_light_ground(murk_context *context, murk_solution *sol
     if (!status) {
         /* What the patches send up is in the zones' radiosity already; margin voxels have no
            extinction and so send nothing. */
-        const murk_radiosity in = {.zone = solution->radiosity,
-                                   .sky = M_PI * solution->sky_radiance};
+        memcpy(scattered, solution->radiosity, slots * sizeof *scattered);
+        murk_stage_add_lamps(&stage, -1, scattered);
+        const murk_radiosity in = {.zone = scattered, .sky = M_PI * solution->sky_radiance};
         murk_incident out = {.patch = incident};
         status = murk_lines_apply(context, lines, &in, &out, 1);
     }
-    if (!status)
+    if (!status) {
         fill_patches(solution, &stage, incident);
+        murk_stage_add_patch_lamps(&stage, solution);
+    }
     murk_lines_release(lines);
     murk_free(incident);
+    murk_free(scattered);
     murk_stage_clear(&stage);
     return status;
 }

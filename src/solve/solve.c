@@ -95,6 +95,10 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
         return status;
     }
     note_skipped(context, scene, report);
+    if (report->lamps)
+        murk_note(context,
+                  "lamps: %llu emitters, their light gathered line of sight by line of sight",
+                  (unsigned long long)report->lamps);
     *out = solution;
     return status;
 }

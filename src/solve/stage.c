@@ -2,7 +2,9 @@
 #include "stage.h"
 
 #include "beam.h"
+#include "gather.h"
 
+#include <math.h>
 #include <string.h>
 
 /* Lines of the beam per voxel face and axis. What they miss of the mean over a voxel is no part of
@@ -17,15 +19,16 @@ murk_status murk_stage_create(murk_context *context, const murk_solution *soluti
                               murk_stage *out)
 {
     const murk_medium *medium = solution->medium;
+    const murk_ground *ground = solution->ground;
     const murk_grid *from = medium->grid, *to = solution->grid;
     size_t slots = to->brick_count * MURK_BRICK_SLOTS;
     murk_stage stage = {.map = murk_alloc(from->brick_count, sizeof *stage.map),
                         .kappa_t = murk_alloc(slots, sizeof(float)),
                         .beam = murk_alloc(slots, sizeof(float)),
-                        .patch_sun = murk_alloc(
-                            solution->ground ? solution->ground->patch_count : 0, sizeof(float))};
+                        .patch = murk_alloc(ground ? ground->patch_count : 0, sizeof(float)),
+                        .emission = medium->emission};
     murk_status status = MURK_OK;
-    if (!stage.map || !stage.kappa_t || !stage.beam || !stage.patch_sun) {
+    if (!stage.map || !stage.kappa_t || !stage.beam || !stage.patch) {
         status =
             murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones", from->zone_count);
     } else {
@@ -41,9 +44,11 @@ murk_status murk_stage_create(murk_context *context, const murk_solution *soluti
                                from->zone_count);
         if (!status)
             status =
-                murk_beam(context, to, stage.kappa_t, solution->ground, &solution->sun,
+                murk_beam(context, to, stage.kappa_t, ground, &solution->sun,
                           beam_rays(solution->report.tolerance), slopes ? &stage.bend.there : NULL,
-                          stage.beam, stage.beam_slope, stage.patch_sun, &stage.extinguished);
+                          stage.beam, stage.beam_slope, stage.patch, &stage.extinguished);
+        for (size_t i = 0; ground && i < ground->patch_count; i++)
+            stage.patch[i] = ground->emission[i] + ground->reflectance[i] * stage.patch[i];
     }
     if (status)
         murk_stage_clear(&stage);
@@ -59,7 +64,10 @@ void murk_stage_clear(murk_stage *stage)
     murk_free(stage->beam);
     murk_bend_clear(&stage->bend);
     murk_free(stage->beam_slope);
-    murk_free(stage->patch_sun);
+    murk_free(stage->patch);
+    murk_free(stage->own_emission);
+    murk_free(stage->patch_lamps);
+    murk_lamps_clear(&stage->lamps);
     memset(stage, 0, sizeof *stage);
 }
 
@@ -69,4 +77,76 @@ void murk_stage_spread(const murk_stage *stage, const murk_grid *medium, const f
     for (size_t b = 0; b < medium->brick_count; b++)
         memcpy(out + (size_t)stage->map[b] * MURK_BRICK_SLOTS, values + b * MURK_BRICK_SLOTS,
                MURK_BRICK_SLOTS * sizeof *out);
+}
+
+/* What is gathered is direct light, and what sent it out is no source any more. */
+static void take_lamps(const murk_solution *solution, const murk_gathered *gathered,
+                       murk_stage *stage)
+{
+    const murk_ground *ground = solution->ground;
+    for (size_t i = 0; i < solution->grid->brick_count * MURK_BRICK_SLOTS; i++)
+        stage->beam[i] += 4 * gathered->zone[i];
+    for (size_t i = 0; i < stage->lamps.count; i++)
+        (stage->lamps.lamp[i].ground ? stage->patch
+                                     : stage->own_emission)[stage->lamps.lamp[i].index] = 0;
+    for (size_t i = 0; ground && i < ground->patch_count; i++)
+        stage->patch[i] += ground->reflectance[i] * gathered->patch[i];
+    stage->lamps_sent = gathered->sent;
+    stage->lamps_kept = gathered->kept;
+    stage->lamps_ground = gathered->ground;
+}
+
+murk_status murk_stage_light_lamps(murk_context *context, const murk_solution *solution,
+                                   murk_stage *stage)
+{
+    const murk_medium *medium = solution->medium;
+    const size_t slots = medium->grid->brick_count * MURK_BRICK_SLOTS;
+    const murk_lit lit = {.medium = medium,
+                          .ground = solution->ground,
+                          .patch = stage->patch,
+                          .sun = stage->extinguished,
+                          .sky = M_PI * solution->sky_radiance};
+    murk_gathered gathered = {0};
+    const murk_solve_options defaults = MURK_SOLVE_DEFAULT;
+    double asked = solution->report.tolerance; /* 0: the solution is from a file */
+    murk_status status =
+        murk_lamps_choose(context, &lit, asked > 0 ? asked : defaults.tolerance, &stage->lamps);
+    if (!status && stage->lamps.count)
+        status = murk_gather(context, medium, solution->ground, solution->grid, &stage->lamps,
+                             &gathered);
+    if (status || !stage->lamps.count)
+        return status;
+    if (stage->lamps.zones) {
+        stage->own_emission = murk_alloc(slots, sizeof *stage->own_emission);
+        if (!stage->own_emission) {
+            murk_gathered_clear(&gathered);
+            return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
+                             medium->grid->zone_count);
+        }
+        memcpy(stage->own_emission, medium->emission.field, slots * sizeof *stage->own_emission);
+        stage->emission.field = stage->own_emission;
+    }
+    take_lamps(solution, &gathered, stage);
+    stage->patch_lamps = gathered.patch;
+    gathered.patch = NULL;
+    murk_gathered_clear(&gathered);
+    return MURK_OK;
+}
+
+void murk_stage_add_lamps(const murk_stage *stage, float sign, float *radiosity)
+{
+    for (size_t i = 0; i < stage->lamps.zones; i++) {
+        const murk_lamp *lamp = stage->lamps.lamp + i;
+        size_t o = murk_stage_slots(stage, lamp->index / MURK_BRICK_SLOTS) +
+                   lamp->index % MURK_BRICK_SLOTS;
+        radiosity[o] = fmaxf(0, radiosity[o] + sign * lamp->radiosity);
+    }
+}
+
+void murk_stage_add_patch_lamps(const murk_stage *stage, murk_solution *solution)
+{
+    for (size_t i = stage->lamps.zones; i < stage->lamps.count; i++)
+        solution->patch[stage->lamps.lamp[i].index] += stage->lamps.lamp[i].radiosity;
+    for (size_t i = 0; stage->patch_lamps && i < solution->ground->patch_count; i++)
+        solution->patch_diffuse[i] += stage->patch_lamps[i];
 }

@@ -48,6 +48,8 @@ static murk_status begin(murk_context *context, const murk_solve_options *option
     level->solution->report.tolerance = options->tolerance;
     murk_status status =
         murk_stage_create(context, level->solution, SPATIAL * options->tolerance, &level->stage);
+    if (!status)
+        status = murk_stage_light_lamps(context, level->solution, &level->stage);
     level->light = murk_seconds() - start;
     if (!status)
         status = murk_levels_begin(context, level->solution, &level->stage, options, from,
