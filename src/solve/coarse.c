@@ -211,12 +211,13 @@ murk_status murk_coarse_create(murk_context *context, const murk_solution *solut
                                const murk_stage *stage, const murk_solve_options *options,
                                murk_coarse *out)
 {
-    murk_coarse made = {.context = context,
-                        .solution = solution,
-                        .stage = stage,
-                        .max_iterations = options->max_iterations,
-                        .shift = stage->bend.zones.count ? 0 : choose_shift(solution->medium),
-                        .around = {M_PI * solution->sky_radiance, solution->horizon}};
+    murk_coarse made = {
+        .context = context,
+        .solution = solution,
+        .stage = stage,
+        .max_iterations = options->max_iterations,
+        .shift = stage->halved || stage->bend.zones.count ? 0 : choose_shift(solution->medium),
+        .around = {M_PI * solution->sky_radiance, solution->horizon}};
     murk_status status = murk_medium_coarsen(context, solution->medium, made.shift, &made.medium);
     if (!status)
         status = murk_lines_create(context, made.medium->grid, made.medium->kappa_t,

@@ -21,6 +21,8 @@ static const double CONTRACTION = 0.2;
 /* The part of the tolerance that directions and sources within zones may use up together, and the
    least that is left to directions. */
 static const double ANGULAR = 0.85, LEAST_ANGULAR = 0.3;
+/* Tolerances from here on begin with fewer directions. */
+static const double LOOSE = 0.03;
 
 struct murk_levels {
     murk_context *context;
@@ -60,12 +62,12 @@ static double angular_scale(double change, int last, int now)
 }
 
 /* How many directions the tolerance needs, from those that the last probe had. Where the light is
-   smooth the error falls faster than the root: no leaps. */
+   smooth the error falls faster than the root: no leaps, and fewer only where little is asked. */
 static int needed_directions(const murk_levels *levels, double c, int now)
 {
     double goal = angular_goal(levels), needed = pow(c / goal, 2);
     if (c / sqrt(now) <= goal)
-        needed = fmax(needed, 0.5 * now);
+        needed = fmax(needed, levels->options->tolerance < LOOSE ? now : 0.5 * now);
     else
         needed = fmin(fmin(2.0 * now, fmax(needed, 1.5 * now)), MOST_DIRECTIONS);
     return (int)ceil(needed / MURK_ORBIT) * MURK_ORBIT;
@@ -101,7 +103,7 @@ murk_status murk_levels_probe(murk_levels *levels, int directions, int rays)
 static murk_status choose_directions(murk_levels *levels)
 {
     const murk_solve_options *o = levels->options;
-    int probe = (o->tolerance < 0.03 ? 4 : 2) * MURK_ORBIT;
+    int probe = (o->tolerance < LOOSE ? 4 : 2) * MURK_ORBIT;
     /* A number that is asked for is reached over half of it: the difference of two fine quadratures
        tells more about the error than that to the coarse one. */
     int asked = (o->directions + MURK_ORBIT - 1) / MURK_ORBIT * MURK_ORBIT;

@@ -15,6 +15,7 @@ typedef struct murk_stage {
     murk_bend bend;      /* where sources vary within zones */
     float *beam_slope;   /* of the direct beam, in bent bricks */
     float *patch;        /* radiosity of the patches by themselves, sun and lamps [W/m^2] */
+    bool halved;         /* voxels are halves of the user's: none are to be put together */
     double extinguished; /* what the medium takes from the beam [W] */
 
     murk_values emission; /* E of the zones that are no lamps; the medium's, or own_emission */

@@ -15,10 +15,12 @@
 
 /* The part of the tolerance that the light's variation within zones may use up. */
 static const double SPATIAL = 0.3;
+/* Of it, what thin zones of halved voxels may. */
+static const double LEFT = 0.05;
 /* A halving divides the error by about this: measured 3.2 ... 7. */
 static const double ORDER = 4;
 
-enum { MOST_HALVINGS = 3, COMPARED = 4 * MURK_ORBIT };
+enum { MOST_HALVINGS = 3 };
 /* Voxels are not halved where there would be more of them. */
 static const double MOST_ZONES = 3e7;
 
@@ -42,12 +44,12 @@ static void leave(murk_subdivision *level)
 
 /* Solves a level on few directions, starting from another solution of the user's voxels or NULL. */
 static murk_status begin(murk_context *context, const murk_solve_options *options,
-                         const murk_solution *from, murk_subdivision *level)
+                         const murk_solution *from, bool halved, murk_subdivision *level)
 {
-    double start = murk_seconds();
+    double start = murk_seconds(), allowed = (halved ? LEFT : SPATIAL) * options->tolerance;
     level->solution->report.tolerance = options->tolerance;
-    murk_status status =
-        murk_stage_create(context, level->solution, SPATIAL * options->tolerance, &level->stage);
+    murk_status status = murk_stage_create(context, level->solution, allowed, &level->stage);
+    level->stage.halved = halved;
     if (!status)
         status = murk_stage_light_lamps(context, level->solution, &level->stage);
     level->light = murk_seconds() - start;
@@ -72,35 +74,51 @@ static murk_status halve(murk_context *context, const murk_subdivision *from, in
     murk_refine_base(solution->medium->grid, out->base);
     status = murk_solution_create(context, &scene, halvings, &out->solution);
     murk_medium_release(medium);
-    return status ? status : begin(context, options, NULL, out);
+    return status ? status : begin(context, options, NULL, true, out);
 }
 
 /* ---- errors -------------------------------------------------------------------------------- */
 
-/* Relative difference of the coarse solutions of a level and the next, which the same lines have
-   crossed: four to a face here and one to a face there. */
-static murk_status compare(murk_context *context, const murk_solve_options *options,
-                           murk_subdivision *level, const murk_subdivision *next, double *out)
+/* Relative difference of the coarse solutions of a level and the next. */
+static murk_status difference(murk_context *context, const murk_subdivision *level,
+                              const murk_subdivision *next, double *out)
 {
     const murk_coarse *here = murk_levels_coarse(level->levels);
     const murk_coarse *there = murk_levels_coarse(next->levels);
-    murk_status status = murk_levels_probe(level->levels, COMPARED, 2 * options->rays);
-    if (!status)
-        status = murk_levels_probe(next->levels, COMPARED, options->rays);
     float *mean = murk_alloc(here->system.slots, sizeof *mean);
-    if (!status && !mean)
-        status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
-                           here->medium->grid->zone_count);
-    if (!status) {
-        murk_refine_average(there->medium->grid, there->x.zone, next->base, here->medium->grid,
-                            mean);
-        double size = murk_vector_norm2(&here->system, &here->x);
-        for (size_t i = 0; i < here->system.slots; i++)
-            mean[i] = here->medium->kappa_t[i] > 0 ? mean[i] - here->x.zone[i] : 0;
-        double left = murk_vector_norm2(&here->system, &(murk_vector){.zone = mean});
-        *out = size > 0 ? sqrt(left / size) : 0;
-    }
+    if (!mean)
+        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
+                         here->medium->grid->zone_count);
+    murk_refine_average(there->medium->grid, there->x.zone, next->base, here->medium->grid, mean);
+    double size = murk_vector_norm2(&here->system, &here->x);
+    for (size_t i = 0; i < here->system.slots; i++)
+        mean[i] = here->medium->kappa_t[i] > 0 ? mean[i] - here->x.zone[i] : 0;
+    double left = murk_vector_norm2(&here->system, &(murk_vector){.zone = mean});
+    *out = size > 0 ? sqrt(left / size) : 0;
     murk_free(mean);
+    return MURK_OK;
+}
+
+/* The same that infinitely many directions would find. Both have been crossed by the same lines,
+   four to a face here and one to a face there, which still feel few lines differently: squares of
+   that fall as 1 / N, so two numbers of directions tell it. */
+static murk_status compare(murk_context *context, const murk_solve_options *options,
+                           murk_subdivision *level, const murk_subdivision *next, double *out)
+{
+    static const int COMPARED[2] = {MURK_ORBIT, 4 * MURK_ORBIT};
+    double found[2] = {0};
+    murk_status status = MURK_OK;
+    for (int n = 0; !status && n < 2; n++) {
+        status = murk_levels_probe(level->levels, COMPARED[n], 2 * options->rays);
+        if (!status && n)
+            status = murk_levels_probe(next->levels, COMPARED[n], options->rays);
+        if (!status)
+            status = difference(context, level, next, &found[n]);
+    }
+    double by_lines =
+        (found[0] * found[0] - found[1] * found[1]) / (1.0 / COMPARED[0] - 1.0 / COMPARED[1]);
+    *out = sqrt(
+        fmax(0.5 * found[1] * found[1], found[1] * found[1] - fmax(0, by_lines) / COMPARED[1]));
     return status;
 }
 
@@ -162,7 +180,7 @@ murk_status murk_solve_lines(murk_context *context, murk_solution *solution,
     murk_subdivision level[MOST_HALVINGS + 1] = {{.solution = solution}};
     double start = murk_seconds(), spatial = 0;
     int last = 0;
-    murk_status status = begin(context, options, options->start, level);
+    murk_status status = begin(context, options, options->start, false, level);
     murk_progress(context, "solve", 0.3);
     if (!status)
         status = descend(context, options, level, &last, &spatial);
