@@ -189,6 +189,25 @@ static void draw_curve(const struct drawing *d, const murk_curve *curve)
     }
 }
 
+/* What stands beside the points, above them to the right and a little smaller than other text. */
+static murk_status draw_point_labels(const struct drawing *d, const murk_curve *curve)
+{
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < curve->count && curve->label && !status; i++) {
+        double at[2];
+        point_of(d, curve->x[i], curve->y[i], at);
+        if (!curve->label[i] || !isfinite(at[0] + at[1]))
+            continue;
+        const murk_text text = {.text = curve->label[i],
+                                .at = {at[0] + 0.4 * curve->marker, at[1] - 0.6 * curve->marker},
+                                .align = {0, 1},
+                                .size = (int)round(0.8 * d->size),
+                                .color = curve->color};
+        status = murk_text_draw(d->context, d->image, &text);
+    }
+    return status;
+}
+
 static murk_status draw_legend(const struct drawing *d)
 {
     double x = d->frame.x + d->frame.width + 0.8 * d->size, y = d->frame.y + 0.8 * d->size;
@@ -237,5 +256,7 @@ murk_status murk_plot_draw(murk_context *context, murk_image *image,
     for (size_t c = 0; c < plot->curve_count; c++)
         draw_curve(&d, &plot->curve[c]);
     murk_status status = draw_labels(&d);
+    for (size_t c = 0; c < plot->curve_count && !status; c++)
+        status = draw_point_labels(&d, &plot->curve[c]);
     return status ? status : draw_legend(&d);
 }
