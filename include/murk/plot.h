@@ -72,8 +72,9 @@ typedef struct murk_curve {
     size_t count;
     const double *x, *y;
     murk_color color;
-    double width;  /**< of the line; 0: none */
-    double marker; /**< diameter of the discs at the points; 0: none */
+    double width;             /**< of the line; 0: none */
+    double marker;            /**< diameter of the discs at the points; 0: none */
+    const char *const *label; /**< what stands beside each point, or NULL; NULL: nothing at all */
 } murk_curve;
 
 /** Everything is borrowed. */

@@ -5,7 +5,8 @@
 
 #include "scenes.h"
 
-/* The rows of BENCH_CASES; the paper's two media come after those of any size. */
+/* The rows of BENCH_CASES; the paper's two media come after those of any size. Then there is what
+   was read from a file. */
 enum {
     BENCH_CLOUD,
     BENCH_BOX,
@@ -14,7 +15,8 @@ enum {
     BENCH_FILAMENTS,
     BENCH_CASE_COUNT,
     BENCH_FIGURE_1 = BENCH_CASE_COUNT,
-    BENCH_PAPER_LARGE
+    BENCH_PAPER_LARGE,
+    BENCH_VOLUME
 };
 
 #define BENCH_ALBEDO 0.9 /* of all but the paper's */

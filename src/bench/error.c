@@ -6,22 +6,19 @@
 #include <math.h>
 #include <stdlib.h>
 
-static double radiosity(const murk_solution *solution, const struct bench_voxels *voxels, size_t i)
+void bench_error_take(const murk_solution *solution, const struct bench_voxels *voxels,
+                      float *radiosity)
 {
-    int32_t index[3];
-    bench_voxels_index(voxels, i, index);
-    return murk_solution_radiosity(solution, index);
+    for (size_t i = 0; i < voxels->count * BENCH_SLOTS; i++) {
+        int32_t index[3];
+        if (voxels->kappa_t[i] == 0)
+            continue;
+        bench_voxels_index(voxels, i, index);
+        radiosity[i] = (float)murk_solution_radiosity(solution, index);
+    }
 }
 
-void bench_error_refer(const murk_solution *solution, const struct bench_voxels *voxels,
-                       float *reference)
-{
-    for (size_t i = 0; i < voxels->count * BENCH_SLOTS; i++)
-        if (voxels->kappa_t[i] != 0)
-            reference[i] = (float)radiosity(solution, voxels, i);
-}
-
-murk_status bench_error_find(const murk_solution *solution, const struct bench_voxels *voxels,
+murk_status bench_error_find(const float *radiosity, const struct bench_voxels *voxels,
                              const float *reference, double *error, double *error_95)
 {
     double *relative = malloc(voxels->count * BENCH_SLOTS * sizeof *relative);
@@ -33,7 +30,7 @@ murk_status bench_error_find(const murk_solution *solution, const struct bench_v
         double kappa_t = voxels->kappa_t[i], b = reference[i];
         if (kappa_t == 0)
             continue;
-        double off = radiosity(solution, voxels, i) - b;
+        double off = radiosity[i] - b;
         difference += kappa_t * off * off;
         size += kappa_t * b * b;
         relative[zones++] = fabs(off) / b;

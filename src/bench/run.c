@@ -3,6 +3,8 @@
 
 #include "error.h"
 #include "memory.h"
+#include "packets.h"
+#include "seconds.h"
 #include "statistics.h"
 
 #include <errno.h>
@@ -11,7 +13,6 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { RENDER_WIDTH = 1920, RENDER_HEIGHT = 1080 };
@@ -23,13 +24,6 @@ struct answer {
     struct bench_result result;
     char kernel[16], message[512];
 };
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 /* ---- in the process of a run --------------------------------------------------------------- */
 
@@ -105,24 +99,24 @@ static murk_status render(murk_context *context, const murk_scene *scene,
     murk_status status = murk_camera_default(context, scene, &camera);
     camera.size[0] = RENDER_WIDTH;
     camera.size[1] = RENDER_HEIGHT;
-    double start = now();
+    double start = bench_seconds();
     if (!status)
         status = murk_render(context, scene, solution, &camera, NULL, &image);
-    result->seconds_render = now() - start;
+    result->seconds_render = bench_seconds() - start;
     murk_image_release(image);
     return status;
 }
 
-/* The part that is measured, on a scene without its medium. */
-static murk_status measure(murk_context *context, const struct bench_run *run, murk_scene *scene,
-                           struct answer *out)
+/* A solve, of a scene without its medium. */
+static murk_status measure_solve(murk_context *context, const struct bench_run *run,
+                                 murk_scene *scene, float *radiosity, struct answer *out)
 {
     struct bench_result *result = &out->result;
     murk_medium *medium = NULL;
     murk_solution *solution = NULL;
-    double before = bench_memory_start(), start = now();
+    double before = bench_memory_start(), start = bench_seconds();
     murk_status status = bench_voxels_medium(context, run->voxels, &medium);
-    result->seconds_medium = now() - start;
+    result->seconds_medium = bench_seconds() - start;
     scene->medium = medium;
     if (!status)
         status = solve(context, scene, &run->solve, &solution);
@@ -132,16 +126,44 @@ static murk_status measure(murk_context *context, const struct bench_run *run, m
         snprintf(out->kernel, sizeof out->kernel, "%s", report->kernel);
         result->peak_bytes = bench_memory_peak() - before;
         result->bytes_per_zone = result->peak_bytes / result->zones;
-        if (run->refer)
-            bench_error_refer(solution, run->voxels, run->reference);
-        else if (run->reference)
-            status = bench_error_find(solution, run->voxels, run->reference, &result->error,
-                                      &result->error_95);
+        bench_error_take(solution, run->voxels, radiosity);
     }
     if (!status && run->render)
         status = render(context, scene, solution, result);
     murk_solution_release(solution);
     murk_medium_release(medium);
+    return status;
+}
+
+static murk_status measure_packets(const struct bench_run *run, const murk_scene *scene,
+                                   float *radiosity, struct bench_result *result)
+{
+    struct bench_packets packets = {.radiosity = radiosity};
+    murk_status status =
+        bench_packets_run(scene, run->voxels, run->packets, run->threads, &packets);
+    result->zones = (double)bench_voxels_active(run->voxels);
+    result->packets = (double)run->packets;
+    result->estimate = packets.error;
+    result->seconds = packets.seconds;
+    return status;
+}
+
+/* The part that is measured, and the error of what came out. */
+static murk_status measure(murk_context *context, const struct bench_run *run, murk_scene *scene,
+                           struct answer *out)
+{
+    struct bench_result *result = &out->result;
+    float *own = run->refer ? NULL : calloc(run->voxels->count * BENCH_SLOTS, sizeof *own);
+    float *radiosity = run->refer ? run->reference : own;
+    murk_status status = radiosity ? MURK_OK : MURK_ERROR_MEMORY;
+    if (!status && run->packets > 0)
+        status = measure_packets(run, scene, radiosity, result);
+    else if (!status)
+        status = measure_solve(context, run, scene, radiosity, out);
+    if (!status && run->reference && !run->refer)
+        status =
+            bench_error_find(own, run->voxels, run->reference, &result->error, &result->error_95);
+    free(own);
     return status;
 }
 

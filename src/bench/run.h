@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* One measurement: a solve in a process of its own. */
+/* One measurement: a solve, or a Monte Carlo, in a process of its own. */
 #ifndef BENCH_RUN_H
 #define BENCH_RUN_H
 
@@ -9,6 +9,7 @@
 #define BENCH_RESULT_LIST(X)                                                                       \
     X(zones)                                                                                       \
     X(patches)                                                                                     \
+    X(packets) /* Monte Carlo: of light, from each source */                                       \
     X(bricks)                                                                                      \
     X(threads)                                                                                     \
     X(directions)                                                                                  \
@@ -16,7 +17,7 @@
     X(sweeps)                                                                                      \
     X(crossings)                                                                                   \
     X(tolerance)                                                                                   \
-    X(estimate)                                                                                    \
+    X(estimate)       /* of the error; Monte Carlo: its standard error, in the same norm */        \
     X(reached)        /* 0 or 1 */                                                                 \
     X(error)          /* against the reference, kappa_t-weighted relative L2 norm over zones */    \
     X(error_95)       /* 95th percentile of the relative error of a zone */                        \
@@ -52,6 +53,7 @@ struct bench_run {
     const struct bench_voxels *frame; /* what the scene is made for; NULL: the voxels */
     bench_scene_fn *scene;
     murk_solve_options solve;
+    long packets;       /* > 0: a Monte Carlo with so many in place of the solve */
     int threads;        /* 0: all */
     const char *kernel; /* NULL: the fastest */
     bool render;

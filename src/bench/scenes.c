@@ -10,6 +10,22 @@ murk_status bench_scene_default(murk_context *context, const murk_medium *medium
     return murk_scene_default(context, medium, MURK_UP_Z, scene, ground);
 }
 
+murk_status bench_scene_alone(murk_context *context, const murk_medium *medium, murk_scene *scene,
+                              murk_ground **ground)
+{
+    murk_status status = murk_scene_default(context, medium, MURK_UP_Z, scene, ground);
+    if (!status)
+        murk_ground_release(*ground);
+    scene->ground = *ground = NULL;
+    return status;
+}
+
+float bench_paper_reflectance(int column, int row, int nx, int ny)
+{
+    int x = 10 * column / nx, y = 10 * row / ny;
+    return y >= 3 && y <= 6 && x >= 3 && x <= 6 ? 0.6f : 0.3f;
+}
+
 murk_status bench_scene_paper(murk_context *context, const murk_medium *medium, murk_scene *scene,
                               murk_ground **ground)
 {
@@ -28,10 +44,8 @@ murk_status bench_scene_paper(murk_context *context, const murk_medium *medium, 
     if (!reflectance)
         return MURK_ERROR_MEMORY;
     for (int row = 0; row < ny; row++)
-        for (int i = 0; i < nx; i++) {
-            int x = 10 * i / nx, y = 10 * row / ny;
-            reflectance[row * nx + i] = y >= 3 && y <= 6 && x >= 3 && x <= 6 ? 0.6f : 0.3f;
-        }
+        for (int i = 0; i < nx; i++)
+            reflectance[row * nx + i] = bench_paper_reflectance(i, row, nx, ny);
     options.reflectance_image = reflectance;
     options.horizon = false;
     status = murk_ground_create(context, &options, ground);

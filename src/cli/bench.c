@@ -3,6 +3,7 @@
 
 #include "cases.h"
 #include "job.h"
+#include "volume.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +20,11 @@ struct media {
 
 const char *cli_bench_method(const struct cli_bench_row *row)
 {
-    return row->solve.method == MURK_PAIRWISE ? "pairwise" : "lines";
+    if (row->packets > 0)
+        return "Monte Carlo";
+    if (row->solve.method == MURK_LINES)
+        return "lines";
+    return row->solve.window[0] > 0 ? "pairwise, window" : "pairwise";
 }
 
 static void drop_media(struct media *media)
@@ -30,15 +35,20 @@ static void drop_media(struct media *media)
     *media = (struct media){.medium = -1};
 }
 
-static bool make_media(const struct cli_bench_row *row, struct media *media)
+static bool make_media(struct cli_bench *bench, const struct cli_bench_row *row,
+                       struct media *media)
 {
-    bench_make_fn *make = BENCH_CASES[row->medium].make;
+    bench_make_fn *make = row->medium == BENCH_VOLUME ? NULL : BENCH_CASES[row->medium].make;
     if (media->medium != row->medium || media->size != row->size) {
         drop_media(media);
         media->medium = row->medium;
         media->size = row->size;
-        if (!make(row->size, &media->voxels))
+        if (!make) {
+            media->voxels = bench->volume;
+            bench->volume = (struct bench_voxels){0};
+        } else if (!make(row->size, &media->voxels)) {
             return false;
+        }
     }
     if (row->wide && media->wide.count == 0 &&
         (!make(row->size, &media->wide) || !bench_voxels_widen(&media->wide)))
@@ -51,17 +61,17 @@ static bool make_media(const struct cli_bench_row *row, struct media *media)
 static murk_status measure_row(struct cli_bench *bench, struct cli_bench_row *row,
                                struct media *media)
 {
-    const struct bench_case *medium = &BENCH_CASES[row->medium];
-    if (!make_media(row, media)) {
-        cli_error(&bench->terminal, "%s of %g voxels: %s", medium->name, row->size,
+    if (!make_media(bench, row, media)) {
+        cli_error(&bench->terminal, "%s of %g voxels: %s", row->name, row->size,
                   murk_status_text(MURK_ERROR_MEMORY));
         return MURK_ERROR_MEMORY;
     }
     const struct bench_run run = {
         .voxels = row->wide ? &media->wide : &media->voxels,
         .frame = &media->voxels,
-        .scene = medium->scene,
+        .scene = row->scene,
         .solve = row->solve,
+        .packets = row->packets,
         .threads = row->threads,
         .kernel = bench->options->kernel >= 0 ? CLI_KERNELS[bench->options->kernel] : NULL,
         .render = bench->options->time_render && row->part == CLI_BENCH_GROWTH,
@@ -70,7 +80,7 @@ static murk_status measure_row(struct cli_bench *bench, struct cli_bench_row *ro
     };
     murk_status status = bench_run(&run, row->times, &row->outcome);
     if (status)
-        cli_error(&bench->terminal, "%s of %g voxels: %s", medium->name, row->size,
+        cli_error(&bench->terminal, "%s of %g voxels: %s", row->name, row->size,
                   row->outcome.message);
     return status;
 }
@@ -86,8 +96,8 @@ static void say_missed(struct cli_bench *bench, const struct cli_bench_row *row)
     cli_error(&bench->terminal,
               "%s of %g voxels, %s: the tolerance of %.3g %% was not reached: the estimated error "
               "is %.3g %%",
-              BENCH_CASES[row->medium].name, row->size, cli_bench_method(row),
-              100 * row->solve.tolerance, 100 * row->outcome.median.estimate);
+              row->name, row->size, cli_bench_method(row), 100 * row->solve.tolerance,
+              100 * row->outcome.median.estimate);
 }
 
 /* How long a row takes, roughly, next to others: for the progress bar alone. */
@@ -151,6 +161,37 @@ static void print_heading(const struct cli_bench *bench)
         printf("single runs\n\n");
 }
 
+/* Reads what --volume names. */
+static murk_status read_volume(struct cli_bench *bench)
+{
+    const char *path = bench->options->volume;
+    if (!path)
+        return MURK_OK;
+    murk_status status = bench_volume_read(bench->context, path, &bench->volume);
+    bench->volume_zones = bench_voxels_active(&bench->volume);
+    if (status) {
+        cli_error(&bench->terminal, "%s", murk_context_message(bench->context));
+    } else if (bench->volume_zones == 0) {
+        cli_error(&bench->terminal, "%s: no voxel has an extinction; there is nothing to measure",
+                  path);
+        status = MURK_ERROR_INPUT;
+    }
+    const char *file = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
+    snprintf(bench->volume_name, sizeof bench->volume_name, "%.*s", (int)strcspn(file, "."), file);
+    return status;
+}
+
+/* Reads what --curves names, before anything is measured. */
+static murk_status read_curves(struct cli_bench *bench)
+{
+    const char *path = bench->options->curves;
+    if (!path)
+        return MURK_OK;
+    bench->curves = calloc(1, sizeof *bench->curves);
+    return bench->curves ? cli_panels_read(bench->curves, path, &bench->terminal)
+                         : MURK_ERROR_MEMORY;
+}
+
 static murk_status check_output(struct cli_bench *bench)
 {
     const char *path = bench->options->output;
@@ -183,13 +224,16 @@ int cli_bench(const struct cli_options *options, const char *command_line)
     murk_context_options context = MURK_CONTEXT_DEFAULT;
     context.log = cli_terminal_log;
     context.user = &bench.terminal;
+    context.threads = 1; /* runs are forked, and threads do not come along */
     murk_status status = murk_context_create(&context, &bench.context);
     if (!status)
-        status = cli_bench_plan(&bench);
-    if (status)
-        cli_error(&bench.terminal, "%s", murk_status_text(status));
-    if (!status)
         status = check_output(&bench);
+    if (!status)
+        status = read_volume(&bench);
+    if (!status)
+        status = read_curves(&bench);
+    if (!status && (status = cli_bench_plan(&bench)))
+        cli_error(&bench.terminal, "%s", murk_status_text(status));
     find_processor(bench.processor);
     if (!status && !options->json)
         print_heading(&bench);
@@ -201,6 +245,8 @@ int cli_bench(const struct cli_options *options, const char *command_line)
         murk_status written = write_plot(&bench);
         status = written ? written : status;
     }
+    bench_voxels_release(&bench.volume);
+    free(bench.curves);
     free(bench.row);
     murk_context_release(bench.context);
     return cli_exit_status(status);

@@ -12,7 +12,7 @@ static json_t *row_json(const struct cli_bench_row *row)
     const struct bench_result *r = &row->outcome.median;
     const int *window = row->solve.window;
     json_t *object = json_object();
-    json_object_set_new(object, "case", json_string(BENCH_CASES[row->medium].name));
+    json_object_set_new(object, "case", json_string(row->name));
     json_object_set_new(object, "size", cli_json_number(row->size));
     json_object_set_new(object, "method", json_string(cli_bench_method(row)));
     json_object_set_new(
@@ -24,12 +24,12 @@ static json_t *row_json(const struct cli_bench_row *row)
         json_object_set_new(object, "wide", json_boolean(row->wide));
     if (row->part == CLI_BENCH_ERROR)
         json_object_set_new(object, "reference", json_boolean(row->truth));
-    if (row->part == CLI_BENCH_PAPER) {
+    if (row->part == CLI_BENCH_PAPER || row->part == CLI_BENCH_ERROR)
         json_object_set_new(object, "window",
                             window[0] ? json_pack("[i,i,i]", window[0], window[1], window[2])
                                       : json_null());
+    if (row->part == CLI_BENCH_PAPER)
         json_object_set_new(object, "paper", cli_json_text(row->then));
-    }
 #define SET_NUMBER(name) json_object_set_new(object, #name, cli_json_number(r->name));
     BENCH_RESULT_LIST(SET_NUMBER)
 #undef SET_NUMBER

@@ -8,17 +8,28 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The largest media for emptiness and threads, for errors, and for pairwise exchange. */
-static const double MIDDLE = 1e5, SMALL = 1e4, PAIRWISE = 1e3;
+/* The largest media for emptiness and threads, for errors where no sizes are given, and for
+   pairwise exchange. */
+static const double MIDDLE = 1e5, SMALL = 3e3, PAIRWISE = 1e4;
 
 /* The solution that errors are taken against. */
 enum { TRUE_DIRECTIONS = 3072, TRUE_RAYS = 2 };
 static const double TRUE_TOLERANCE = 0.001;
-static const double ASKED[] = {0.05, 0.02, 0.01, 0.005};
-enum { ASKED_COUNT = sizeof ASKED / sizeof *ASKED };
+
+/* What is compared with it: tolerances of lines, edges of windows, and where none are given packets
+   of the Monte Carlo. From MANY on a single run has to do. */
+static const double ASKED[] = {0.05, 0.02, 0.01, 0.005, 0.003};
+static const int WINDOWS[] = {3, 5, 9};
+static const struct cli_list PACKETS = {5, {1e3, 1e4, 1e5, 1e6, 1e7}};
+static const double MANY = 1e6;
+enum {
+    ASKED_COUNT = sizeof ASKED / sizeof *ASKED,
+    WINDOW_COUNT = sizeof WINDOWS / sizeof *WINDOWS,
+    ERROR_ROWS = 2 + ASKED_COUNT + WINDOW_COUNT + CLI_LIST_MOST
+};
 
 /* More rows than any list of options can ask for. */
-enum { ROWS_MOST = BENCH_CASE_COUNT * (CLI_LIST_MOST + 2 * ASKED_COUNT) + 64 };
+enum { ROWS_MOST = BENCH_CASE_COUNT * (CLI_LIST_MOST + ERROR_ROWS) + 2 * ERROR_ROWS + 64 };
 
 /* The sizes that are measured where none are given, and the largest of them for each case. */
 static const struct cli_list SIZES = {5, {1e4, 3e4, 1e5, 3e5, 1e6}};
@@ -61,12 +72,15 @@ static struct cli_bench_row *add(struct cli_bench *bench, enum cli_bench_part pa
                                  double size)
 {
     struct cli_bench_row *row = &bench->row[bench->count++];
-    *row = (struct cli_bench_row){.part = part,
-                                  .medium = medium,
-                                  .size = size,
-                                  .solve = bench->options->solve,
-                                  .threads = bench->options->threads,
-                                  .times = bench->options->runs};
+    *row = (struct cli_bench_row){
+        .part = part,
+        .medium = medium,
+        .name = medium == BENCH_VOLUME ? bench->volume_name : BENCH_CASES[medium].name,
+        .scene = medium == BENCH_VOLUME ? bench_scene_alone : BENCH_CASES[medium].scene,
+        .size = size,
+        .solve = bench->options->solve,
+        .threads = bench->options->threads,
+        .times = bench->options->runs};
     return row;
 }
 
@@ -98,31 +112,58 @@ static void add_threads(struct cli_bench *bench)
     add(bench, CLI_BENCH_THREADS, medium, size)->threads = most;
 }
 
-static void add_error(struct cli_bench *bench, int medium, double size)
+/* A row of errors; the ground of the default scene is left out, since it hides the medium's part.
+ */
+static struct cli_bench_row *add_error(struct cli_bench *bench, int medium, double size)
 {
     struct cli_bench_row *row = add(bench, CLI_BENCH_ERROR, medium, size);
+    if (row->scene == bench_scene_default)
+        row->scene = bench_scene_alone;
+    return row;
+}
+
+static void add_pairwise(struct cli_bench *bench, int medium, double size, int window)
+{
+    struct cli_bench_row *row = add_error(bench, medium, size);
+    row->solve.method = MURK_PAIRWISE;
+    row->times = 1; /* its time is that of very many factors */
+    for (int a = 0; a < 3; a++)
+        row->solve.window[a] = window;
+}
+
+static void add_errors_of(struct cli_bench *bench, int medium, double size)
+{
+    struct cli_bench_row *row = add_error(bench, medium, size);
     row->truth = true;
     row->times = 1;
     row->solve.tolerance = TRUE_TOLERANCE;
     row->solve.directions = TRUE_DIRECTIONS;
     row->solve.rays = TRUE_RAYS;
     for (int i = 0; i < ASKED_COUNT; i++)
-        add(bench, CLI_BENCH_ERROR, medium, size)->solve.tolerance = ASKED[i];
-    for (int i = 0; i < ASKED_COUNT && size <= PAIRWISE; i++) {
-        row = add(bench, CLI_BENCH_ERROR, medium, size);
-        row->solve.tolerance = ASKED[i];
-        row->solve.method = MURK_PAIRWISE;
+        add_error(bench, medium, size)->solve.tolerance = ASKED[i];
+    if (size <= PAIRWISE)
+        add_pairwise(bench, medium, size, 0);
+    for (int i = 0; i < WINDOW_COUNT && size <= PAIRWISE; i++)
+        add_pairwise(bench, medium, size, WINDOWS[i]);
+    const struct cli_list given = bench->options->packets, packets = given.count ? given : PACKETS;
+    for (int i = 0; i < packets.count; i++) {
+        row = add_error(bench, medium, size);
+        row->packets = (long)packets.value[i];
+        if (packets.value[i] >= MANY)
+            row->times = 1;
     }
 }
 
-/* The cases at a small size, and the paper's figure 1. The reference of filaments takes longer than
-   all the rest: they are compared only where they are asked for by name. */
+/* The paper's figure 1, the cloud or else the cases that are asked for by name, and a file. */
 static void add_errors(struct cli_bench *bench)
 {
+    const bool sizes = bench->options->sizes.count > 0;
+    add_errors_of(bench, BENCH_FIGURE_1, 1e3);
     for (int medium = 0; medium < BENCH_CASE_COUNT; medium++)
-        if (has_case(bench, medium) && (bench->options->cases || medium != BENCH_FILAMENTS))
-            add_error(bench, medium, size_up_to(bench, medium, SMALL));
-    add_error(bench, BENCH_FIGURE_1, 1e3);
+        if (bench->options->cases ? has_case(bench, medium) : medium == BENCH_CLOUD)
+            add_errors_of(bench, medium, sizes ? size_up_to(bench, medium, PAIRWISE) : SMALL);
+    if (bench->options->volume)
+        add_errors_of(bench, BENCH_VOLUME, (double)bench->volume_zones);
 }
 
 /* [BG91] section 5, by the paper's method and by lines. */

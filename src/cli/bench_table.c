@@ -17,11 +17,6 @@ struct layout {
     void (*add)(struct cli_columns *cells, const struct cli_bench_row *row);
 };
 
-static const char *name_of(const struct cli_bench_row *row)
-{
-    return BENCH_CASES[row->medium].name;
-}
-
 static double megabytes(const struct bench_result *result)
 {
     return 1e-6 * result->peak_bytes;
@@ -42,7 +37,7 @@ static const char *const GROWTH_RENDER_UNIT[] = {GROWTH_UNITS, "s", NULL};
 static void add_growth(struct cli_columns *cells, const struct cli_bench_row *row)
 {
     const struct bench_result *r = &row->outcome.median;
-    cli_columns_add(cells, "%s", name_of(row));
+    cli_columns_add(cells, "%s", row->name);
     cli_columns_number(cells, 3, r->zones);
     cli_columns_number(cells, 3, r->bricks);
     cli_columns_number(cells, 3, r->directions);
@@ -83,7 +78,7 @@ static const char *const EMPTINESS_UNIT[] = {"", "", "", "", "", "s", "MB", NULL
 static void add_emptiness(struct cli_columns *cells, const struct cli_bench_row *row)
 {
     const struct bench_result *r = &row->outcome.median;
-    cli_columns_add(cells, "%s", name_of(row));
+    cli_columns_add(cells, "%s", row->name);
     cli_columns_add(cells, "%s", row->wide ? "8 x the box" : "alone");
     cli_columns_number(cells, 3, r->zones);
     cli_columns_number(cells, 3, r->bricks);
@@ -98,7 +93,7 @@ static const char *const THREADS_UNIT[] = {"", "", "", "s", "s", "ns", NULL};
 static void add_threads(struct cli_columns *cells, const struct cli_bench_row *row)
 {
     const struct bench_result *r = &row->outcome.median;
-    cli_columns_add(cells, "%s", name_of(row));
+    cli_columns_add(cells, "%s", row->name);
     cli_columns_number(cells, 3, r->zones);
     cli_columns_number(cells, 3, r->threads);
     cli_columns_seconds(cells, r->seconds_solve);
@@ -106,15 +101,19 @@ static void add_threads(struct cli_columns *cells, const struct cli_bench_row *r
     cli_columns_number(cells, 3, r->ns_per_crossing);
 }
 
-static const char *const ERRORS[] = {"",     "method", "zones", "asked", "est", "error",
-                                     "95 %", "dirs",   "iter",  "total", NULL};
-static const char *const ERRORS_UNIT[] = {"", "", "", "%", "%", "%", "%", "", "", "s", NULL};
+static const char *const ERRORS[] = {"",     "method", "zones", "asked",   "est",   "error",
+                                     "95 %", "dirs",   "iter",  "packets", "total", NULL};
+static const char *const ERRORS_UNIT[] = {"", "", "", "%", "%", "%", "%", "", "", "", "s", NULL};
 
 static void add_error(struct cli_columns *cells, const struct cli_bench_row *row)
 {
     const struct bench_result *r = &row->outcome.median;
-    cli_columns_add(cells, "%s", name_of(row));
-    cli_columns_add(cells, "%s", row->truth ? "reference" : cli_bench_method(row));
+    cli_columns_add(cells, "%s", row->name);
+    if (row->solve.window[0] > 0)
+        cli_columns_add(cells, "pairwise, %dx%dx%d", row->solve.window[0], row->solve.window[1],
+                        row->solve.window[2]);
+    else
+        cli_columns_add(cells, "%s", row->truth ? "reference" : cli_bench_method(row));
     cli_columns_number(cells, 3, r->zones);
     cli_columns_number(cells, 3, row->truth ? NAN : 100 * r->tolerance);
     cli_columns_number(cells, 2, 100 * r->estimate);
@@ -122,6 +121,7 @@ static void add_error(struct cli_columns *cells, const struct cli_bench_row *row
     cli_columns_number(cells, 2, 100 * r->error_95);
     cli_columns_number(cells, 3, r->directions > 0 ? r->directions : NAN);
     cli_columns_number(cells, 3, r->iterations);
+    cli_columns_number(cells, 3, r->packets);
     cli_columns_seconds(cells, r->seconds);
 }
 
@@ -134,9 +134,9 @@ static void add_paper(struct cli_columns *cells, const struct cli_bench_row *row
     const struct bench_result *r = &row->outcome.median;
     const int *window = row->solve.window;
     if (window[0] > 0)
-        cli_columns_add(cells, "%s, %dx%dx%d", name_of(row), window[0], window[1], window[2]);
+        cli_columns_add(cells, "%s, %dx%dx%d", row->name, window[0], window[1], window[2]);
     else
-        cli_columns_add(cells, "%s", name_of(row));
+        cli_columns_add(cells, "%s", row->name);
     cli_columns_add(cells, "%s", cli_bench_method(row));
     cli_columns_add(cells, "%.2g", r->multiplications);
     cli_columns_number(cells, 3, r->iterations);

@@ -58,9 +58,10 @@ struct cli_options {
     bool half, emission_coefficient, extinction_grid, albedo_grid;
 
     unsigned parts, cases; /* bits; 0: not given */
-    struct cli_list sizes;
+    struct cli_list sizes, packets;
     int runs;
     bool time_render;
+    const char *volume, *curves;
 
     int threads, kernel;
     bool json, quiet, verbose, help;

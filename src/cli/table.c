@@ -49,6 +49,9 @@ static const struct cli_option TABLE[] = {
      TEXT(ground_radiosity)},
     {"output", 'o', CLI_BENCH, OUTPUT, "FILE", "a plot of what was measured, such as .png",
      TEXT(output)},
+    {"curves", 0, CLI_BENCH, OUTPUT, "FILE",
+     "further panels for the plot, from lines of text: PANEL,CURVE,SECONDS,ERROR,LABEL",
+     TEXT(curves)},
     {"json", 0, CLI_ALL, OUTPUT, NULL, "print the report as JSON on standard output", FLAG(json)},
 
     {"frames", 0, WORKING, SEQUENCE, "LIST",
@@ -77,17 +80,23 @@ static const struct cli_option TABLE[] = {
 
     {"parts", 0, CLI_BENCH, BENCH, "LIST",
      "what to measure, out of growth (with the number of voxels), emptiness (the same medium in a "
-     "box 8 times as large), threads, error (after run time; filaments only where --cases names "
-     "them) and paper (the cases of 1991); all of it",
+     "box 8 times as large), threads, error (after run time: lines, pairwise and a Monte Carlo on "
+     "the paper's figure 1, the cloud, or what --cases and --volume name) and paper (the cases of "
+     "1991); all of it",
      .value = cli_value_set, FIELD(parts), .choices = CLI_BENCH_PARTS},
     {"cases", 0, CLI_BENCH, BENCH, "LIST",
      "media, out of cloud, box, plume, checkerboard and filaments; emptiness and threads are "
      "measured on the first of them",
      .value = cli_value_set, FIELD(cases), .choices = BENCH_CASE_NAMES},
+    {"volume", 0, CLI_BENCH, BENCH, "FILE", "error: a .vdb to be measured too", TEXT(volume)},
     {"sizes", 0, CLI_BENCH, BENCH, "LIST",
-     "active voxels, such as 1e4,1e6,1e7; not given: 1e4 to 1e6 for the cloud, less for others",
+     "active voxels, such as 1e4,1e6,1e7; not given: 1e4 to 1e6 for the cloud, less for others and "
+     "for errors",
      .value = cli_value_list, FIELD(sizes),
      WHOLE(100, 1e8, "numbers from 100 to 1e8 such as 1e4,1e6")},
+    {"packets", 0, CLI_BENCH, BENCH, "LIST",
+     "error: packets of light of the Monte Carlo (1e3,1e4,1e5,1e6,1e7)", .value = cli_value_list,
+     FIELD(packets), WHOLE(100, 1e9, "numbers from 100 to 1e9 such as 1e4,1e6")},
     {"runs", 0, CLI_BENCH, BENCH, "N", "what is printed are medians of N runs (3)",
      .value = cli_value_count, FIELD(runs), WHOLE(1, 1000, "a whole number from 1 to 1000")},
     {"render", 0, CLI_BENCH, BENCH, NULL, "time the picture too, 1920x1080 pixels",

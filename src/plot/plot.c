@@ -166,6 +166,14 @@ static murk_status draw_labels(const struct drawing *d)
     return status;
 }
 
+/* Whether a point is in the frame or on its edge; false where a number is missing. */
+static bool in_frame(const struct drawing *d, const double at[2])
+{
+    const murk_rectangle *f = &d->frame;
+    return at[0] >= f->x - 0.5 && at[0] <= f->x + f->width + 0.5 && at[1] >= f->y - 0.5 &&
+           at[1] <= f->y + f->height + 0.5;
+}
+
 static void draw_curve(const struct drawing *d, const murk_curve *curve)
 {
     murk_canvas lines, markers;
@@ -182,11 +190,28 @@ static void draw_curve(const struct drawing *d, const murk_curve *curve)
     }
     for (size_t i = 0; i < curve->count && curve->marker > 0; i++) {
         point_of(d, curve->x[i], curve->y[i], at);
-        const murk_rectangle *f = &d->frame;
-        if (at[0] >= f->x - 0.5 && at[0] <= f->x + f->width + 0.5 && at[1] >= f->y - 0.5 &&
-            at[1] <= f->y + f->height + 0.5)
+        if (in_frame(d, at))
             murk_canvas_line(&markers, at, at, curve->marker, curve->color);
     }
+}
+
+/* What stands beside the points, above them to the right and a little smaller than other text. */
+static murk_status draw_point_labels(const struct drawing *d, const murk_curve *curve)
+{
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < curve->count && curve->label && !status; i++) {
+        double at[2];
+        point_of(d, curve->x[i], curve->y[i], at);
+        if (!curve->label[i] || !in_frame(d, at))
+            continue;
+        const murk_text text = {.text = curve->label[i],
+                                .at = {at[0] + 0.4 * curve->marker, at[1] - 0.6 * curve->marker},
+                                .align = {0, 1},
+                                .size = (int)round(0.8 * d->size),
+                                .color = curve->color};
+        status = murk_text_draw(d->context, d->image, &text);
+    }
+    return status;
 }
 
 static murk_status draw_legend(const struct drawing *d)
@@ -237,5 +262,7 @@ murk_status murk_plot_draw(murk_context *context, murk_image *image,
     for (size_t c = 0; c < plot->curve_count; c++)
         draw_curve(&d, &plot->curve[c]);
     murk_status status = draw_labels(&d);
+    for (size_t c = 0; c < plot->curve_count && !status; c++)
+        status = draw_point_labels(&d, &plot->curve[c]);
     return status ? status : draw_legend(&d);
 }

@@ -4,7 +4,9 @@
 #include "check.h"
 #include "error.h"
 #include "run.h"
+#include "scenes.h"
 #include "statistics.h"
+#include "volume.h"
 
 static struct bench_voxels make(int medium, double count)
 {
@@ -173,6 +175,61 @@ static void runs(void **state)
     bench_voxels_release(&voxels);
 }
 
+/* The Monte Carlo and lines agree within its standard error, with the paper's ground and without.
+ */
+static void packets(void **state)
+{
+    static const int media[] = {BENCH_FIGURE_1, BENCH_CLOUD};
+    (void)state;
+    for (int m = 0; m < 2; m++) {
+        struct bench_voxels voxels = make(media[m], 400);
+        struct bench_outcome outcome;
+        struct bench_run run = {.voxels = &voxels,
+                                .scene = m == 0 ? bench_scene_paper : bench_scene_alone,
+                                .solve = MURK_SOLVE_DEFAULT,
+                                .reference = bench_reference_create(&voxels),
+                                .refer = true};
+        const struct bench_result *r = &outcome.median;
+        assert_non_null(run.reference);
+        run.solve.directions = 1536;
+        run.solve.rays = 2;
+        assert_int_equal(bench_run(&run, 1, &outcome), MURK_OK);
+        run.refer = false;
+        run.packets = 50000;
+        assert_int_equal(bench_run(&run, 1, &outcome), MURK_OK);
+        assert_within(r->zones, (double)bench_voxels_active(&voxels), 0);
+        assert_within(r->packets, 50000, 0);
+        assert_true(r->seconds > 0 && r->estimate > 0.005 && r->estimate < 0.05);
+        assert_within(r->error, r->estimate, 0.25 * r->estimate);
+        bench_reference_release(run.reference, &voxels);
+        bench_voxels_release(&voxels);
+    }
+}
+
+/* A file's extinction is its density times the scale that murk chooses. */
+static void volume(void **state)
+{
+    murk_volume *volume;
+    murk_medium *medium;
+    murk_medium_info want, got;
+    struct bench_voxels voxels = {0};
+    const char *path = MURK_VOLUMES_DIR "/plume64_f045.vdb";
+    assert_int_equal(murk_volume_read(*state, path, &volume), MURK_OK);
+    assert_int_equal(murk_medium_from_volume(*state, volume, NULL, &medium), MURK_OK);
+    assert_int_equal(murk_medium_info_get(medium, &want), MURK_OK);
+    assert_int_equal(bench_volume_read(*state, path, &voxels), MURK_OK);
+    got = info_of(*state, &voxels);
+    assert_int_equal(got.zones, want.zones);
+    assert_within(got.kappa_t_max, want.kappa_t_max, 1e-6 * want.kappa_t_max);
+    assert_within(got.max_depth, want.max_depth, 1e-6 * want.max_depth);
+    assert_within(got.mean_depth, want.mean_depth, 1e-6 * want.mean_depth);
+    bench_voxels_release(&voxels);
+    murk_medium_release(medium);
+    murk_volume_release(volume);
+    assert_int_equal(bench_volume_read(*state, "nowhere.vdb", &voxels), MURK_ERROR_INPUT);
+    bench_voxels_release(&voxels);
+}
+
 /* What goes wrong in a run is told. */
 static void failures(void **state)
 {
@@ -211,9 +268,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(runs), /* first: before any thread */
-        cmocka_unit_test(failures), cmocka_unit_test(cases),  cmocka_unit_test(kinds),
-        cmocka_unit_test(widen),    cmocka_unit_test(voxels), cmocka_unit_test(statistics),
-        cmocka_unit_test(paper),
+        cmocka_unit_test(packets),    cmocka_unit_test(failures), cmocka_unit_test(cases),
+        cmocka_unit_test(kinds),      cmocka_unit_test(widen),    cmocka_unit_test(voxels),
+        cmocka_unit_test(statistics), cmocka_unit_test(paper),    cmocka_unit_test(volume),
     };
     return cmocka_run_group_tests(tests, open_context, close_context);
 }

@@ -177,12 +177,17 @@ static void ranges(void **state)
     assert_within(range[1], 1, 1e-12);
 }
 
-/* The middle of all red pixels of a plot with one point. */
-static void find_red(murk_context *context, double x, double y, double out[2])
+/* The middle of all red pixels of a plot with one point: its marker, or its label alone. */
+static void find_red(murk_context *context, double x, double y, const char *label, double out[2])
 {
     murk_image *image = canvas(context, 300, 200);
     const murk_rectangle all = {0, 0, 300, 200};
-    const murk_curve curve = {.count = 1, .x = &x, .y = &y, .color = RED, .marker = 6};
+    const murk_curve curve = {.count = 1,
+                              .x = &x,
+                              .y = &y,
+                              .color = RED,
+                              .marker = label ? 0 : 6,
+                              .label = label ? &label : NULL};
     const murk_plot plot = {.title = "point",
                             .x = {.label = "x", .min = 0, .max = 10},
                             .y = {.label = "y", .log = true, .min = 1, .max = 100},
@@ -207,15 +212,20 @@ static void find_red(murk_context *context, double x, double y, double out[2])
 /* Points stand where the axes say: linear across, logarithmic upwards; none outside the frame. */
 static void plot(void **state)
 {
-    double at[4][2];
-    find_red(*state, 2, 2, at[0]);
-    find_red(*state, 6, 20, at[1]);
-    find_red(*state, 8, 63.2455532, at[2]);
-    find_red(*state, 11, 10, at[3]);
+    double at[6][2];
+    find_red(*state, 2, 2, NULL, at[0]);
+    find_red(*state, 6, 20, NULL, at[1]);
+    find_red(*state, 8, 63.2455532, NULL, at[2]);
+    find_red(*state, 11, 10, NULL, at[3]);
+    find_red(*state, 6, 20, "12", at[4]);
+    find_red(*state, 11, 10, "12", at[5]);
     assert_within((at[2][0] - at[1][0]) / (at[1][0] - at[0][0]), 0.5, 0.01);
     assert_within((at[2][1] - at[1][1]) / (at[1][1] - at[0][1]), 0.5, 0.01);
     assert_true(at[1][0] > at[0][0] + 50 && at[1][1] < at[0][1] - 30);
-    assert_true(isnan(at[3][0]));
+    assert_true(isnan(at[3][0]) && isnan(at[5][0]));
+    if (murk_text_possible())
+        assert_true(at[4][0] > at[1][0] + 3 && at[4][0] < at[1][0] + 20 &&
+                    at[4][1] < at[1][1] - 3 && at[4][1] > at[1][1] - 20);
 
     const murk_plot bad = {.x = {.log = true, .min = -1, .max = 1}};
     const murk_rectangle all = {0, 0, 300, 200};

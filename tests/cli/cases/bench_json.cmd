@@ -1,4 +1,4 @@
-murk bench --cases checkerboard --sizes 2500 --runs 1 --parts growth,emptiness,threads,error --threads 2 -q --json | /usr/bin/python3 -c "
+murk bench --cases cloud --sizes 600 --runs 1 --parts growth,emptiness,threads,error --packets 1e3,1e4 --threads 2 -q --json | /usr/bin/python3 -c "
 import json, math, sys
 report = json.load(sys.stdin)
 print(report['murk'], report['command'])
@@ -11,6 +11,8 @@ stages = ['seconds_setup', 'seconds_light', 'seconds_solve', 'seconds_finish']
 print(math.isclose(row['seconds'], sum(row[stage] for stage in stages)), row['peak_bytes'] > 4 * row['zones'])
 print([row['wide'] for row in report['emptiness']], [row['threads'] for row in report['threads']])
 errors = report['error']
-print([row['tolerance'] for row in errors if not row['reference'] and row['case'] == 'checkerboard'])
+print([row['tolerance'] for row in errors if row['method'] == 'lines' and not row['reference'] and row['case'] == 'cloud'])
+print([row['window'] for row in errors if row['method'].startswith('pairwise') and row['case'] == 'cloud'])
+print([row['packets'] for row in errors if row['method'] == 'Monte Carlo' and row['case'] == 'cloud'])
 print(all(row['error'] <= row['tolerance'] for row in errors if row['method'] == 'lines' and not row['reference']))
 print(report['exponents'])"

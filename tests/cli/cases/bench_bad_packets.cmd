@@ -1,0 +1,1 @@
+murk bench --packets 0
