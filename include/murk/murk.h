@@ -334,7 +334,8 @@ typedef struct murk_solve_options {
     double tolerance; /**< relative error of B asked for, kappa_t-weighted L2 norm (0.01 = 1 %) */
     murk_method method;
     murk_solver solver;
-    int directions;     /**< lines: 0 chooses by tolerance; else rounded up to a multiple of 48 */
+    int directions;     /**< lines: 0 chooses by tolerance, and halves voxels where that needs it;
+                             else rounded up to a multiple of 48, for the voxels as they are */
     int rays;           /**< lines: rays per voxel face and axis (1: one per face, 2: 2x2); 0: 1 */
     double epsilon;     /**< Gauss-Seidel: largest change of a radiosity at the end [W/m^2] */
     int max_iterations; /**< 0: 1000 */

@@ -176,7 +176,8 @@ murk_status murk_quadrature_create(murk_context *context, int orbits, int set, m
     for (int i = 0; i < orbits; i++) {
         double shift[3];
         for (int c = 0; c < 3; c++)
-            shift[c] = orbits > 1 || set ? fraction((i + set * orbits + 0.5) * STRIDE[c]) - 0.5 : 0;
+            shift[c] = orbits > 1 ? fraction((i + set * orbits + 0.5) * STRIDE[c]) - 0.5
+                                  : set * sqrt(1.0 / 12);
         place_orbit(base[i], shift, weight[i], &made, i * MURK_ORBIT);
     }
     murk_free(base);

@@ -25,8 +25,9 @@ typedef struct murk_quadrature {
     double (*shift)[3];
 } murk_quadrature;
 
-/* Of set 0 a single base point has its lines through the middles; other sets have the same
-   directions with other lines. */
+/* set 1 has the directions of set 0 with other lines. Of a single base point those of set 0 pass
+   through the middles of voxels, those of set 1 where the squares of the distances from the middle
+   have the mean that they have in a voxel. */
 murk_status murk_quadrature_create(murk_context *context, int orbits, int set,
                                    murk_quadrature *out);
 void murk_quadrature_clear(murk_quadrature *quadrature);

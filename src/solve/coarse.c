@@ -217,11 +217,12 @@ murk_status murk_coarse_create(murk_context *context, const murk_solution *solut
         .stage = stage,
         .max_iterations = options->max_iterations,
         .shift = stage->halved || stage->bend.zones.count ? 0 : choose_shift(solution->medium),
+        .set = stage->bend.zones.count > 0,
         .around = {M_PI * solution->sky_radiance, solution->horizon}};
     murk_status status = murk_medium_coarsen(context, solution->medium, made.shift, &made.medium);
     if (!status)
         status = murk_lines_create(context, made.medium->grid, made.medium->kappa_t,
-                                   solution->ground, MURK_ORBIT, 1, 0, &made.lines);
+                                   solution->ground, MURK_ORBIT, 1, made.set, &made.lines);
     if (!status) {
         murk_lines_bend(made.lines, &stage->bend.zones);
         made.system = system_of(&made, made.lines);
@@ -320,9 +321,9 @@ static double relative(const murk_coarse *coarse, const murk_vector *d)
     return fmax(zones, murk_ground_difference(coarse->system.ground, coarse->x.patch, d->patch));
 }
 
-murk_status murk_coarse_lattice(murk_coarse *coarse, int rays, double *out)
+murk_status murk_coarse_lattice(murk_coarse *coarse, double *out)
 {
-    murk_status status = find_residual(coarse, MURK_ORBIT, rays, 1, NULL);
+    murk_status status = find_residual(coarse, MURK_ORBIT, 1, !coarse->set, NULL);
     *out = relative(coarse, &coarse->r);
     return status;
 }
@@ -330,7 +331,8 @@ murk_status murk_coarse_lattice(murk_coarse *coarse, int rays, double *out)
 murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, double goal,
                               murk_probe *out)
 {
-    murk_status status = find_residual(coarse, directions, rays, 0, &out->diffuse);
+    murk_status status = find_residual(coarse, directions, rays,
+                                       directions == MURK_ORBIT ? coarse->set : 0, &out->diffuse);
     out->residual = relative(coarse, &coarse->r);
     double size = sqrt(murk_vector_norm2(&coarse->system, &coarse->x));
     if (!status)

@@ -21,6 +21,7 @@ struct murk_coarse {
     int shift;           /* zones cover 2^shift voxels each way */
     murk_medium *medium; /* of these zones; the medium itself where shift is 0 */
     murk_lines *lines;   /* MURK_ORBIT directions */
+    int set;             /* of lines: 1 where slopes need to feel them */
     murk_system system;
     murk_around around;
     murk_vector direct;  /* radiosities by beam and emission alone */
@@ -53,8 +54,8 @@ typedef struct murk_probe {
 murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, double goal,
                               murk_probe *out);
 
-/* The relative residual of x on the same directions, with lines elsewhere. */
-murk_status murk_coarse_lattice(murk_coarse *coarse, int rays, double *out);
+/* The relative residual of x on the directions of the solution, with lines elsewhere. */
+murk_status murk_coarse_lattice(murk_coarse *coarse, double *out);
 
 /* Sets the solution's zones by the light that x means for them, linear within a coarse zone; r is
    overwritten. */

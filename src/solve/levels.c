@@ -18,6 +18,8 @@ enum { MOST_DIRECTIONS = 64 * MURK_ORBIT, MOST_PASSES = 8 };
 
 /* What a correction leaves of the error before another has told: measured 0.03 ... 0.15. */
 static const double CONTRACTION = 0.2;
+/* Passes that contract less than this are given up. */
+static const double SLOWEST = 0.9;
 /* The part of the tolerance that directions and sources within zones may use up together, and the
    least that is left to directions. */
 static const double ANGULAR = 0.85, LEAST_ANGULAR = 0.3;
@@ -328,12 +330,12 @@ static murk_status passes(murk_levels *levels)
         if (!n)
             levels->change = change;
         else if (before > 0)
-            ratio = fmin(0.99, change / before);
+            ratio = fmin(SLOWEST, change / before);
         levels->iteration = change * ratio / (1 - ratio);
         before = change;
         murk_progress(levels->context, "solve", 1 - 0.5 / (n + 2)); /* one or two are the rule */
         double goal = fmax(0.1 * o->tolerance, o->tolerance - levels->angular - levels->spatial);
-        if (levels->iteration <= goal || ratio > 0.9)
+        if (levels->iteration <= goal || ratio >= SLOWEST)
             break;
     }
     return status;
@@ -412,7 +414,7 @@ murk_status murk_levels_begin(murk_context *context, murk_solution *solution,
     if (!status)
         status = murk_coarse_solve(&levels->coarse, start, 0.1 * options->tolerance);
     if (!status)
-        status = murk_coarse_lattice(&levels->coarse, options->rays, &levels->lattice_48);
+        status = murk_coarse_lattice(&levels->coarse, &levels->lattice_48);
     levels->before = murk_seconds() - begun;
     if (status)
         murk_levels_release(levels);

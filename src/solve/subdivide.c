@@ -13,16 +13,15 @@
 
 #include <math.h>
 
-/* The part of the tolerance that the light's variation within zones may use up. */
-static const double SPATIAL = 0.3;
-/* Of it, what thin zones of halved voxels may. */
-static const double LEFT = 0.05;
+/* The part of the tolerance that the light's variation within zones may use up before they are
+   halved, before they get slopes, and what it may use up in thin zones of halved voxels. */
+static const double HALVED = 0.5, BENT = 0.3, LEFT = 0.05;
 /* A halving divides the error by about this: measured 3.2 ... 7. */
 static const double ORDER = 4;
 
 enum { MOST_HALVINGS = 3 };
 /* Voxels are not halved where there would be more of them. */
-static const double MOST_ZONES = 3e7;
+static const double MOST_ZONES = 1e7;
 
 typedef struct murk_subdivision {
     murk_solution *solution; /* of level 0 the user's */
@@ -46,7 +45,7 @@ static void leave(murk_subdivision *level)
 static murk_status begin(murk_context *context, const murk_solve_options *options,
                          const murk_solution *from, bool halved, murk_subdivision *level)
 {
-    double start = murk_seconds(), allowed = (halved ? LEFT : SPATIAL) * options->tolerance;
+    double start = murk_seconds(), allowed = (halved ? LEFT : BENT) * options->tolerance;
     level->solution->report.tolerance = options->tolerance;
     murk_status status = murk_stage_create(context, level->solution, allowed, &level->stage);
     level->stage.halved = halved;
@@ -122,18 +121,19 @@ static murk_status compare(murk_context *context, const murk_solve_options *opti
     return status;
 }
 
-/* Halves voxels until their error, which is set, is small enough; the last level is to be solved
-   with all directions. */
+/* Halves voxels until their error, which is set, is small enough or will not become so; the last
+   level is to be solved with all directions. Who asks for a number of directions asks for the
+   voxels as they are. */
 static murk_status descend(murk_context *context, const murk_solve_options *options,
                            murk_subdivision level[], int *last, double *spatial)
 {
-    const double goal = SPATIAL * options->tolerance;
+    const double goal = HALVED * options->tolerance;
     const murk_coarse *coarse = murk_levels_coarse(level->levels);
     *spatial = level->stage.bend.flat;
     if (!coarse->system.slopes)
         return MURK_OK;
     *spatial += murk_spatial_linear(&coarse->system, &coarse->x, &coarse->direct);
-    while (*spatial > goal && *last < MOST_HALVINGS) {
+    while (!options->directions && *spatial > goal && *last < MOST_HALVINGS) {
         const murk_subdivision *from = &level[*last];
         double zones = 8.0 * (double)from->solution->medium->grid->zone_count, change = 0;
         if (zones > MOST_ZONES)
@@ -144,7 +144,8 @@ static murk_status descend(murk_context *context, const murk_solve_options *opti
         if (status)
             return status;
         *spatial = change * ORDER / (ORDER - 1);
-        if (*spatial <= goal)
+        bool hopeless = *spatial > options->tolerance * pow(ORDER, MOST_HALVINGS - *last);
+        if (*spatial <= goal || hopeless)
             return MURK_OK;
         leave(&level[*last]);
         *spatial /= ORDER;
