@@ -129,7 +129,7 @@ murk_status bench_packets_run(const murk_scene *scene, const struct bench_voxels
     take_light(&job, scene);
     bool done = make_zones(&job, voxels) && make_patches(&job, scene->ground) &&
                 make_results(&job) &&
-                bench_mc_solve(&job.scene, false, packets, BATCHES, threads, &job.result);
+                bench_mc_solve(&job.scene, true, packets, BATCHES, threads, &job.result);
     out->seconds = bench_seconds() - start;
     if (done)
         take_result(&job, voxels, out);

@@ -454,7 +454,6 @@ murk_status murk_levels_finish(murk_levels *levels, double spatial)
         report->seconds_solve = levels->before + solved - start;
         report->seconds_finish = murk_seconds() - solved;
         report_levels(levels, report);
-        report->lamps = levels->stage->lamps.count;
         murk_stage_add_lamps(levels->stage, 1, levels->solution->radiosity);
         murk_stage_add_patch_lamps(levels->stage, levels->solution);
     }

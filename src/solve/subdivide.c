@@ -29,6 +29,7 @@ typedef struct murk_subdivision {
     murk_levels *levels;
     int32_t base[3]; /* of the halving that led here, in the voxels before it */
     double light;    /* seconds */
+    uint64_t lamps;
 } murk_subdivision;
 
 /* ---- levels -------------------------------------------------------------------------------- */
@@ -51,6 +52,7 @@ static murk_status begin(murk_context *context, const murk_solve_options *option
     level->stage.halved = halved;
     if (!status)
         status = murk_stage_light_lamps(context, level->solution, &level->stage);
+    level->lamps = level->stage.lamps.count;
     level->light = murk_seconds() - start;
     if (!status)
         status = murk_levels_begin(context, level->solution, &level->stage, options, from,
@@ -121,6 +123,16 @@ static murk_status compare(murk_context *context, const murk_solve_options *opti
     return status;
 }
 
+/* How often a level may still be halved. */
+static int halvings_left(const murk_subdivision *level, int last)
+{
+    double zones = (double)level->solution->medium->grid->zone_count;
+    int left = 0;
+    while (last + left < MOST_HALVINGS && (zones *= 8) <= MOST_ZONES)
+        left++;
+    return left;
+}
+
 /* Halves voxels until their error, which is set, is small enough or will not become so; the last
    level is to be solved with all directions. Who asks for a number of directions asks for the
    voxels as they are. */
@@ -133,18 +145,16 @@ static murk_status descend(murk_context *context, const murk_solve_options *opti
     if (!coarse->system.slopes)
         return MURK_OK;
     *spatial += murk_spatial_linear(&coarse->system, &coarse->x, &coarse->direct);
-    while (!options->directions && *spatial > goal && *last < MOST_HALVINGS) {
-        const murk_subdivision *from = &level[*last];
-        double zones = 8.0 * (double)from->solution->medium->grid->zone_count, change = 0;
-        if (zones > MOST_ZONES)
-            break;
-        murk_status status = halve(context, from, *last + 1, options, &level[*last + 1]);
+    for (int left; !options->directions && *spatial > goal &&
+                   (left = halvings_left(&level[*last], *last)) > 0;) {
+        double change = 0;
+        murk_status status = halve(context, &level[*last], *last + 1, options, &level[*last + 1]);
         if (!status)
             status = compare(context, options, &level[*last], &level[*last + 1], &change);
         if (status)
             return status;
         *spatial = change * ORDER / (ORDER - 1);
-        bool hopeless = *spatial > options->tolerance * pow(ORDER, MOST_HALVINGS - *last);
+        bool hopeless = *spatial > 2 * options->tolerance * pow(ORDER, left);
         if (*spatial <= goal || hopeless)
             return MURK_OK;
         leave(&level[*last]);
@@ -191,6 +201,7 @@ murk_status murk_solve_lines(murk_context *context, murk_solution *solution,
         for (int n = last; n > 0; n--)
             gather(&level[n], level[n - 1].solution);
         solution->report.subdivision = 1 << last;
+        solution->report.lamps = level[0].lamps;
         solution->report.seconds_light = level[0].light;
         solution->report.seconds_solve =
             murk_seconds() - start - level[0].light - solution->report.seconds_finish;

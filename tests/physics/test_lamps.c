@@ -9,13 +9,13 @@ enum { MOST = 32 };
 
 static float kappa_t[MOST * MOST * MOST], emission[MOST * MOST * MOST];
 
-/* A cloud of about 4 optical depths, and eight hot voxels in it; edges of 1 m in all. */
-static murk_medium *make_cloud(murk_context *context, int size, bool hot)
+/* A cloud of so many optical depths, about, and perhaps eight hot voxels in it; edges of 1 m. */
+static murk_medium *make_cloud(murk_context *context, int size, double depth, bool hot)
 {
     for (int n = 0; n < size * size * size; n++) {
         double x = (double)(n / (size * size)) / size, y = (double)(n / size % size) / size,
                z = (double)(n % size) / size;
-        kappa_t[n] = (float)(4 * (1 + 0.6 * sin(9 * x + 1) * cos(7 * y) * sin(8 * z + 2)));
+        kappa_t[n] = (float)(depth * (1 + 0.6 * sin(9 * x + 1) * cos(7 * y) * sin(8 * z + 2)));
         emission[n] = 0;
     }
     int at = size / 3;
@@ -78,12 +78,13 @@ static uint64_t check_pairwise(murk_context *context, const murk_scene *scene, i
     return lamps;
 }
 
+/* So thin a voxel that pairwise has no need of slopes. */
 static void hot_spot(void **state)
 {
     (void)state;
     enum { SIZE = 11 };
     murk_context *context = check_context(0, NULL);
-    murk_medium *medium = make_cloud(context, SIZE, true);
+    murk_medium *medium = make_cloud(context, SIZE, 2, true);
     assert_int_equal(check_pairwise(context, &(murk_scene){.medium = medium}, SIZE), 8);
     murk_medium_release(medium);
     murk_context_release(context);
@@ -97,7 +98,7 @@ static void bright_patch(void **state)
     float glow[PATCHES * PATCHES] = {0};
     glow[5 * PATCHES + 9] = 100;
     murk_context *context = check_context(0, NULL);
-    murk_medium *medium = make_cloud(context, SIZE, false);
+    murk_medium *medium = make_cloud(context, SIZE, 4, false);
     murk_ground_options options = MURK_GROUND_DEFAULT;
     murk_ground *ground = NULL;
     options.height = -0.2;
@@ -119,7 +120,7 @@ static void hot_spot_in_a_large_cloud(void **state)
 {
     (void)state;
     murk_context *context = check_context(0, NULL);
-    murk_medium *medium = make_cloud(context, MOST, true);
+    murk_medium *medium = make_cloud(context, MOST, 4, true);
     const murk_scene scene = {.medium = medium};
     murk_solve_options options = MURK_SOLVE_DEFAULT;
     murk_solution *lines = solve(context, &scene, &options);
