@@ -106,6 +106,10 @@ static json_t *solution_json(const murk_report *report)
     json_object_set_new(object, "estimate", cli_json_number(report->estimate));
     json_object_set_new(object, "estimate_iteration", cli_json_number(report->estimate_iteration));
     json_object_set_new(object, "estimate_angular", cli_json_number(report->estimate_angular));
+    json_object_set_new(object, "estimate_lattice", cli_json_number(report->estimate_lattice));
+    json_object_set_new(object, "estimate_spatial", cli_json_number(report->estimate_spatial));
+    json_object_set_new(object, "subdivision", json_integer(report->subdivision));
+    json_object_set_new(object, "lamps", json_integer((json_int_t)report->lamps));
     json_object_set_new(object, "reached", json_boolean(report->reached));
     json_object_set_new(object, "multiplications", cli_json_number(report->multiplications));
     json_object_set_new(object, "multiplications_window",

@@ -95,6 +95,9 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
         return status;
     }
     note_skipped(context, scene, report);
+    if (report->subdivision > 1)
+        murk_note(context, "thick voxels: solved on %d times smaller ones each way",
+                  report->subdivision);
     if (report->lamps)
         murk_note(context,
                   "lamps: %llu emitters, their light gathered line of sight by line of sight",

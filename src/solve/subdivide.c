@@ -214,8 +214,10 @@ murk_status murk_solve_lines(murk_context *context, murk_solution *solution,
     const murk_report *report = &solution->report;
     if (!status && !report->reached)
         status = murk_fail(context, MURK_NOT_REACHED,
-                           "the estimated error is %.2g %%, %.2g %% was asked for: raise "
-                           "--directions or the tolerance",
-                           100 * report->estimate, 100 * report->tolerance);
+                           "the estimated error is %.2g %%, %.2g %% was asked for: %s",
+                           100 * report->estimate, 100 * report->tolerance,
+                           report->estimate_spatial > report->estimate_angular
+                               ? "the voxels are too thick; use smaller ones or raise the tolerance"
+                               : "raise --directions or the tolerance");
     return status;
 }
