@@ -12,7 +12,11 @@
 struct share {
     double error;
     int32_t brick;
+    bool opaque;
 };
+
+/* Optical depths of a zone in which slopes see nothing of the skin where the light is. */
+static const double OPAQUE = 100;
 
 static int compare_shares(const void *a, const void *b)
 {
@@ -28,11 +32,12 @@ static double find_shares(const murk_medium *medium, struct share *share)
     const double edge = fmax(voxel[0], fmax(voxel[1], voxel[2]));
     double all = 0;
     for (size_t b = 0; b < medium->grid->brick_count; b++) {
-        share[b] = (struct share){0, (int32_t)b};
+        share[b] = (struct share){0, (int32_t)b, false};
         for (size_t i = b * MURK_BRICK_SLOTS; i < (b + 1) * MURK_BRICK_SLOTS; i++) {
             double kappa_t = medium->kappa_t[i], albedo = murk_value(&medium->albedo, i);
             double error = albedo * murk_spatial_flat(edge * kappa_t);
             share[b].error += kappa_t * error * error;
+            share[b].opaque = share[b].opaque || edge * kappa_t > OPAQUE;
             all += kappa_t;
         }
     }
@@ -49,7 +54,10 @@ static void choose(const murk_medium *medium, double allowed, const int32_t *map
     for (; n < bricks && flat + share[n].error <= allowed * allowed * all; n++)
         flat += share[n].error;
     for (; n < bricks; n++)
-        bend->zones.place[share[n].brick] = 0;
+        if (share[n].opaque)
+            flat += share[n].error;
+        else
+            bend->zones.place[share[n].brick] = 0;
     bend->flat = all > 0 ? sqrt(flat / all) : 0;
     for (size_t b = 0; b < bricks; b++)
         if (bend->zones.place[b] != MURK_NOT_BENT) {

@@ -7,7 +7,8 @@
 #include "medium.h"
 
 /* The bricks that would bring an error of more than `allowed` [1] all together if their sources
-   were constant within zones: those that err most first. On a grid that holds brick b of the medium
+   were constant within zones: those that err most first, but for opaque ones, which it
+   would not help. On a grid that holds brick b of the medium
    as map[b], too. */
 typedef struct murk_bend {
     murk_bent zones, there;

@@ -137,7 +137,6 @@ typedef struct murk_spread {
 struct defect {
     double left; /* of r - L d: what emission and incidence differ by from absorption and escape */
     double leak; /* of L 1 */
-    double size; /* of x */
 };
 
 static struct defect find_defect(const murk_coarse *coarse, const float *net, const float *net_one)
@@ -151,16 +150,14 @@ static struct defect find_defect(const murk_coarse *coarse, const float *net, co
         sum.left +=
             kappa_t * (coarse->r.zone[i] + albedo * net[i] - (1 - albedo) * coarse->d.zone[i]);
         sum.leak += kappa_t * (1 - albedo - albedo * net_one[i]);
-        sum.size += kappa_t * fabsf(coarse->x.zone[i]);
     }
     return sum;
 }
 
 /* Lets the coarse lines carry d, plus the constant that makes the energies balance (coarse-mesh
-   rebalance with one cell); below the rounding of x there is nothing to mend. */
+   rebalance with one cell). */
 static murk_status spread_correction(murk_levels *levels, murk_spread *out)
 {
-    static const double ROUNDING = 3e-8;
     murk_coarse *coarse = &levels->coarse;
     const size_t slots = coarse->system.slots, patches = coarse->system.patches;
     const size_t slopes = coarse->system.slopes;
@@ -186,8 +183,7 @@ static murk_status spread_correction(murk_levels *levels, murk_spread *out)
         status = murk_lines_apply(levels->context, coarse->lines, in, arrived, 2);
     if (!status) {
         struct defect defect = find_defect(coarse, net, net_one);
-        bool mend = !levels->region.limited && defect.leak > 0 &&
-                    fabs(defect.left) > ROUNDING * defect.size;
+        bool mend = !levels->region.limited && defect.leak > 0;
         float add = mend ? (float)(defect.left / defect.leak) : 0;
         for (size_t i = 0; i < slots; i++)
             coarse->r.zone[i] = coarse->medium->kappa_t[i] > 0

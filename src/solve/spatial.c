@@ -12,7 +12,8 @@ static const double STEEPEST = 30;
 
 double murk_spatial_flat(double depth)
 {
-    return FLAT * depth * depth;
+    double error = FLAT * depth * depth;
+    return error / (1 + error);
 }
 
 /* The slot next to one along an axis, -1 where there is no zone. */

@@ -142,7 +142,7 @@ static murk_status descend(murk_context *context, const murk_solve_options *opti
     const double goal = HALVED * options->tolerance;
     const murk_coarse *coarse = murk_levels_coarse(level->levels);
     *spatial = level->stage.bend.flat;
-    if (!coarse->system.slopes)
+    if (!coarse->system.slopes || *spatial > goal) /* the rest is opaque */
         return MURK_OK;
     *spatial += murk_spatial_linear(&coarse->system, &coarse->x, &coarse->direct);
     for (int left; !options->directions && *spatial > goal &&

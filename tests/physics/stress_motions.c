@@ -40,8 +40,9 @@ static struct stress_outcome closely(const struct stress_subject *s, const struc
         return STRESS_FAILED;
     double size = stress_norm(&s->scene, s->fixed.B, NULL);
     double d = stress_norm(&s->scene, s->fixed.B, moved.B);
-    double bound =
-        s->fixed.report.estimate_iteration + moved.report.estimate_iteration + STRESS_ROUNDING;
+    double left = s->row->flags & MERGED ? 2.5 : 1;
+    double bound = left * (s->fixed.report.estimate_iteration + moved.report.estimate_iteration) +
+                   STRESS_ROUNDING;
     stress_solution_clear(&moved);
     return (struct stress_outcome){size > 0 ? d / size : d,
                                    bound + (s->row->flags & BETWEEN ? 2 * STRESS_BEAM : 0)};

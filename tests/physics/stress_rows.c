@@ -128,7 +128,7 @@ const struct stress_row STRESS_ROWS[] = {
     {"any albedo, 0 and 1 too", STRESS_OPTICS, stress_of_any_albedo, 2, 0},
     {"1e-8 a voxel", STRESS_OPTICS, stress_thin, 1e-8, PAIRED},
     {"1e-4 a voxel", STRESS_OPTICS, stress_thin, 1e-4, PAIRED},
-    {"0.02 a voxel, 32 cubed", STRESS_OPTICS, stress_large, 0.02, 0},
+    {"0.02 a voxel, 32 cubed", STRESS_OPTICS, stress_large, 0.02, MERGED},
     {"1 a voxel", STRESS_OPTICS, stress_thick, 1, 0},
     {"20 a voxel", STRESS_OPTICS, stress_thick, 20, 0},
     {"1e3 a voxel", STRESS_OPTICS, stress_thick, 1e3, 0},
