@@ -35,6 +35,7 @@ typedef struct murk_band_view {
  *    the band is known, NAME.temperature [K], the apparent temperature of the radiance;
  *  - CL.Y [g/m^2], concentration times length along the line of sight, by the first band with a
  *    mass extinction.
+ * The attribute "murk:bands" lists bands and wavelengths [m]: "R:6e-07:7e-07,LWIR:8e-06:1.2e-05".
  * Of a background picture the band takes the channel of its name, R for bands other than R, G, B.
  * options may be NULL; options->parts is taken as set. Fails like murk_render(), and for names that
  * are empty, hold other signs, or are there twice.

@@ -181,6 +181,23 @@ static bool has_band(const murk_band_view *views, size_t count, const char *name
     return false;
 }
 
+/* "R:6e-07:7e-07,LWIR:8e-06:1.2e-05" */
+static murk_status name_bands(murk_context *context, const murk_band_view *views, size_t count,
+                              murk_image *image)
+{
+    size_t size = count * (NAME_SIZE + 64), used = 0;
+    char *text = murk_alloc(size, 1);
+    if (!text)
+        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for a picture");
+    for (size_t n = 0; n < count; n++)
+        used += (size_t)snprintf(text + used, size - used, "%s%s:%.9g:%.9g", n ? "," : "",
+                                 views[n].name, views[n].band.wavelength[0],
+                                 views[n].band.wavelength[1]);
+    murk_status status = murk_image_set_attribute(image, "murk:bands", text);
+    murk_free(text);
+    return status ? murk_fail(context, status, "out of memory for a picture") : MURK_OK;
+}
+
 murk_status murk_render_bands(murk_context *context, const murk_band_view *views, size_t count,
                               const murk_camera *camera, const murk_render_options *options,
                               murk_image **out)
@@ -194,6 +211,8 @@ murk_status murk_render_bands(murk_context *context, const murk_band_view *views
         status = murk_camera_check(context, views[0].scene, camera);
     if (!status)
         status = create(context, views, count, camera->size, &image);
+    if (!status)
+        status = name_bands(context, views, count, image);
     const murk_band_view *mass = massive(views, count);
     bool rgb =
         has_band(views, count, "R") && has_band(views, count, "G") && has_band(views, count, "B");
