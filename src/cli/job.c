@@ -69,6 +69,10 @@ static void apply_medium_options(const struct cli_options *options,
         description->mass_extinction = NAN;
         description->obscurant = NULL;
     }
+    if (!isnan(options->concentration)) {
+        description->concentration.scale = options->concentration;
+        description->has_concentration = true;
+    }
     if (options->albedo) {
         char *end;
         double value = strtod(options->albedo, &end);
@@ -164,6 +168,14 @@ murk_status cli_job_read(struct cli_job *job)
     return status;
 }
 
+static bool has_mass(const struct scene *scene)
+{
+    for (size_t n = 0; n < scene->band_count; n++)
+        if (scene->band[n].mass_extinction > 0)
+            return true;
+    return false;
+}
+
 murk_status cli_job_build(struct cli_job *job)
 {
     char message[SCENE_MESSAGE_SIZE] = "";
@@ -171,6 +183,10 @@ murk_status cli_job_build(struct cli_job *job)
     murk_status status = scene_build(job->context, &job->description, &job->scene, message);
     if (status != MURK_OK) {
         cli_error(&job->terminal, "%s", message);
+    } else if (!isnan(job->options->concentration) && !has_mass(&job->scene)) {
+        cli_error(&job->terminal, "--concentration: the scene has no mass extinction coefficients; "
+                                  "--scale sets the extinction");
+        status = MURK_ERROR_INPUT;
     } else if (job->options->ground_radiosity && !job->scene.band[0].ground) {
         cli_error(&job->terminal, "--ground-radiosity: the scene has no ground");
         status = MURK_ERROR_INPUT;
