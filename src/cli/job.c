@@ -220,6 +220,15 @@ murk_status cli_job_solve(struct cli_job *job)
     return cli_job_fail(job, worst);
 }
 
+bool cli_job_chose_scale(const struct cli_job *job, murk_medium_info *info)
+{
+    const struct scene_description *first =
+        job->description.band_count ? job->description.band : &job->description;
+    const struct scene_band *band = &job->scene.band[0];
+    return first->medium.extinction.scale == 0.0 && !(band->mass_extinction > 0.0) &&
+           murk_medium_info_get(band->medium, info) == MURK_OK && info->extinction_scale > 0.0;
+}
+
 const murk_report *cli_job_report(const struct cli_job *job)
 {
     const murk_report *worst = NULL;
