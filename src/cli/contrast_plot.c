@@ -9,14 +9,17 @@
 #include <string.h>
 
 enum { WIDTH = 900, HEIGHT = 400, TEXT_SIZE = 18, MARKED_MOST = 60 };
+static const double MARGIN = 0.06; /* between the curves and the frame */
 
 static const struct panel {
     const char *title, *label;
     size_t offset; /* in murk_contrast */
+    double from;   /* wavelength of the bands that it shows [m] */
 } PANELS[] = {
-    {"Contrast transmittance", "C / C0", offsetof(murk_contrast, transmittance)},
-    {"Apparent contrast", "C", offsetof(murk_contrast, apparent)},
-    {"Apparent temperature difference", "K", offsetof(murk_contrast, dt_apparent)},
+    {"Contrast transmittance", "C / C0", offsetof(murk_contrast, transmittance), 0},
+    {"Apparent contrast", "C", offsetof(murk_contrast, apparent), 0},
+    /* Below 3 um what is as warm as the ground shows other light than its own. */
+    {"Apparent temperature difference", "K", offsetof(murk_contrast, dt_apparent), 3e-6},
 };
 enum { PANEL_COUNT = sizeof PANELS / sizeof *PANELS };
 
@@ -33,6 +36,7 @@ struct curves {
     double *x, *y;       /* of all, one curve behind another */
     murk_curve *curve;
     size_t count, points;
+    double low, high; /* of their values, and 0 */
 };
 
 static double place_of(const struct cli_contrast_row *row, int against)
@@ -49,8 +53,11 @@ static double place_of(const struct cli_contrast_row *row, int against)
     }
 }
 
+/* NaN where a panel does not show a row. */
 static double value_of(const struct cli_contrast_row *row, const struct panel *panel)
 {
+    if (row->band.band.wavelength[0] < panel->from)
+        return NAN;
     return *(const double *)((const char *)&row->contrast + panel->offset);
 }
 
@@ -69,11 +76,12 @@ static bool is_known(const struct cli_contrast *contrast, size_t row)
     return false;
 }
 
-/* Adds the curve of a band. */
+/* Adds the curve of a band, the n-th, where it has points. */
 static void add_curve(struct curves *curves, const struct cli_contrast *contrast, const char *band,
-                      const struct panel *panel, int against)
+                      int n, const struct panel *panel, int against)
 {
     size_t count = 0;
+    bool seen = false;
     double *x = curves->x + curves->points, *y = curves->y + curves->points;
     for (size_t i = 0; i < contrast->count; i++) {
         const struct cli_contrast_row *row = &contrast->row[i];
@@ -84,13 +92,18 @@ static void add_curve(struct curves *curves, const struct cli_contrast *contrast
     for (size_t i = 0; i < count; i++) {
         x[i] = curves->point[i].x;
         y[i] = curves->point[i].y;
+        curves->low = fmin(curves->low, y[i]); /* neither takes a NaN */
+        curves->high = fmax(curves->high, y[i]);
+        seen |= isfinite(y[i]);
     }
+    if (!seen)
+        return;
     curves->points += count;
     curves->curve[curves->count] = (murk_curve){.name = band,
                                                 .count = count,
                                                 .x = x,
                                                 .y = y,
-                                                .color = murk_plot_color((int)curves->count),
+                                                .color = murk_plot_color(n),
                                                 .width = 2.5,
                                                 .marker = count <= MARKED_MOST ? 8 : 0};
     curves->count++;
@@ -99,10 +112,12 @@ static void add_curve(struct curves *curves, const struct cli_contrast *contrast
 static void make_curves(struct curves *curves, const struct cli_contrast *contrast,
                         const struct panel *panel, int against)
 {
+    int n = 0;
     curves->count = curves->points = 0;
+    curves->low = curves->high = 0;
     for (size_t i = 0; i < contrast->count; i++)
         if (!is_known(contrast, i))
-            add_curve(curves, contrast, contrast->row[i].band.name, panel, against);
+            add_curve(curves, contrast, contrast->row[i].band.name, n++, panel, against);
 }
 
 /* Whether there is a point to be seen. */
@@ -130,7 +145,9 @@ static murk_status draw(murk_context *context, const struct cli_contrast *contra
         make_curves(&curves, contrast, shown[p], against);
         const murk_plot plot = {.title = shown[p]->title,
                                 .x = {.label = LABELS[against]},
-                                .y = {.label = shown[p]->label},
+                                .y = {.label = shown[p]->label,
+                                      .min = (1 + MARGIN) * curves.low,
+                                      .max = (1 + MARGIN) * curves.high},
                                 .curve = curves.curve,
                                 .curve_count = curves.count,
                                 .text_size = TEXT_SIZE};

@@ -147,6 +147,8 @@ murk_status cli_job_describe(struct cli_job *job)
         status = scene_parse(input, &job->description, message);
     else
         scene_describe_volume(input, &job->description);
+    if (status == MURK_OK && job->options->bands)
+        status = scene_choose_bands(&job->description, job->options->bands, message);
     if (status != MURK_OK)
         cli_error(&job->terminal, "%s", message);
     else

@@ -52,7 +52,7 @@ struct cli_options {
     const char *frames;
     bool resume;
 
-    const char *grid, *albedo;
+    const char *grid, *albedo, *bands;
     double scale, voxel_size;
     int voxels, up;
     bool strict;

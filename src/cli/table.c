@@ -88,6 +88,10 @@ static const struct cli_option TABLE[] = {
      .value = cli_value_number, FIELD(scale), POSITIVE},
     {"albedo", 0, CLI_VOLUME, MEDIUM, "A", "single-scattering albedo: a number or a grid's name",
      TEXT(albedo)},
+    {"bands", 0, WORKING, MEDIUM, "LIST",
+     "the bands to work on, such as R,G,B,LWIR: of those in the scene; where it has none, by names "
+     "of R, G, B, NIR, SWIR, MWIR and LWIR",
+     TEXT(bands)},
     {"voxel-size", 0, CLI_VOLUME, MEDIUM, "D", "edge of a voxel [m], where the file's is wrong",
      .value = cli_value_number, FIELD(voxel_size), POSITIVE},
     {"voxels", 0, CLI_VOLUME, MEDIUM, "WHERE", "what a voxel's index is: its center or its corner",

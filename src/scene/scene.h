@@ -76,6 +76,11 @@ void scene_description_release(struct scene_description *description);
    the scene and each band. */
 enum { SCENE_FILE_MAX = 2 + 4 * (1 + SCENE_BANDS_MAX) };
 
+/* Leaves the bands of a list "R,LWIR" alone, in its order. Where there are none, makes them, of the
+   names that say where they are. With one line in message where a band is unknown. */
+murk_status scene_choose_bands(struct scene_description *description, const char *list,
+                               char message[SCENE_MESSAGE_SIZE]);
+
 /* The descriptions of the bands, or of the scene that has none; gives their number. */
 size_t scene_bands(struct scene_description *description, struct scene_description **bands);
 
