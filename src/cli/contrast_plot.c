@@ -170,8 +170,10 @@ murk_status cli_contrast_plot(struct cli_job *job, const struct cli_contrast *co
         if (shows(contrast, &PANELS[p], against))
             shown[count++] = &PANELS[p];
     if (count == 0) {
-        cli_error(&job->terminal, "--plot %s: no contrast is known against %s", options->plot,
-                  CLI_AGAINST[against]);
+        cli_error(&job->terminal, "--plot %s: there is nothing to draw against %s%s", options->plot,
+                  CLI_AGAINST[against],
+                  against == CLI_AGAINST_CL ? "; pictures of scenes with a mass_extinction have it"
+                                            : "");
         return MURK_ERROR_INPUT;
     }
     murk_status status = draw(job->context, contrast, against, shown, count, &image);
