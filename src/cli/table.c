@@ -60,8 +60,8 @@ static const struct cli_option TABLE[] = {
      "the table as .csv, a line for each frame and band; not given: to standard output",
      TEXT(output)},
     {"plot", 0, CLI_CONTRAST, OUTPUT, "FILE",
-     "curves of a sequence: contrast transmittance, apparent contrast and temperature difference "
-     "of each band, such as .png",
+     "curves of a sequence, one for each band, such as .png: contrast transmittance, apparent "
+     "contrast, and from 3 um on the apparent temperature difference",
      TEXT(plot)},
     {"against", 0, CLI_CONTRAST, OUTPUT, "WHAT",
      "what the curves are drawn against: frame (the default), or transmittance, depth (optical) or "
