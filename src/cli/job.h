@@ -49,6 +49,9 @@ void cli_job_next(struct cli_job *job, murk_status status);
 /* Releases everything; gives the exit status for what the job came to. */
 int cli_job_end(struct cli_job *job, murk_status status);
 
+/* Whether murk chose the extinction per unit of the grid by itself; *info is of the first band. */
+bool cli_job_chose_scale(const struct cli_job *job, murk_medium_info *info);
+
 /* The report of the band that is furthest from its tolerance. */
 const murk_report *cli_job_report(const struct cli_job *job);
 

@@ -53,7 +53,7 @@ struct cli_options {
     bool resume;
 
     const char *grid, *albedo, *bands;
-    double scale, voxel_size;
+    double scale, concentration, voxel_size;
     int voxels, up;
     bool strict;
 
