@@ -13,6 +13,7 @@ struct cli_job {
     const int *frame; /* NULL: not one of a sequence */
     struct cli_terminal terminal;
     murk_context *context;
+    void *state; /* of the command, from frame to frame */
     struct scene_description description;
     char *files[SCENE_FILE_MAX]; /* of the frame, where the description has patterns */
     struct scene scene;
@@ -28,7 +29,8 @@ struct cli_job {
 murk_status cli_job_start(struct cli_job *job, const struct cli_options *options,
                           const char *command, const char *command_line);
 
-/* Describes INPUT for the frame, if there is one; options go before what a scene file says. */
+/* Describes INPUT for the frame, if there is one; options go before what a scene file says. The
+   picture of murk contrast has no description. */
 murk_status cli_job_describe(struct cli_job *job);
 
 /* Reads the volume, after cli_job_describe(). */

@@ -33,6 +33,8 @@ static bool open_exposure(const struct cli_job *job)
 
 void cli_unsteady_warn(struct cli_job *job)
 {
+    if (job->scene.band_count == 0)
+        return;
     const char *const open[] = {
         open_scale(job) ? "extinction (--scale)" : NULL,
         open_ground(job) ? "ground (in a scene: height, extent)" : NULL,
