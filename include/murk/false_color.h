@@ -5,9 +5,9 @@
  *
  * The colours run from a dark violet over red and orange to a pale yellow, so that what is hot is
  * bright. They are made in OKLab (B. Ottosson, "A perceptual color space for image processing",
- * 2020), where equal steps look equal: the lightness L rises in proportion to the value from 0.16 to
- * 0.97, and the chroma and hue run on a Catmull-Rom spline through seven points, which keeps within
- * what sRGB can show. A picture printed in grey is therefore still in the right order.
+ * 2020), where equal steps look equal: the lightness L rises in proportion to the value from 0.16
+ * to 0.97, and the chroma and hue run on a Catmull-Rom spline through seven points, which keeps
+ * within what sRGB can show. A picture printed in grey is therefore still in the right order.
  */
 #ifndef MURK_FALSE_COLOR_H
 #define MURK_FALSE_COLOR_H
@@ -37,8 +37,8 @@ typedef struct murk_false_color {
  * grey; to the right of it the scale bar with ticks, numbers and the label. Text and bar grow with
  * the picture's height; a picture too low for them (some 120 pixels) gets white below. Its size
  * depends on that of the picture, not on the range, as long as the numbers have up to 7 digits.
- * Warns where there is no font, and goes without text. Fails with MURK_ERROR_INPUT where there is no
- * such channel and where low is not below high.
+ * Warns where there is no font, and goes without text. Fails with MURK_ERROR_INPUT where there is
+ * no such channel and where low is not below high.
  */
 MURK_API murk_status murk_false_color_create(murk_context *context, const murk_image *image,
                                              const murk_false_color *options, murk_image **out);

@@ -69,6 +69,10 @@ static void apply_medium_options(const struct cli_options *options,
         description->mass_extinction = NAN;
         description->obscurant = NULL;
     }
+    if (!isnan(options->concentration)) {
+        description->concentration.scale = options->concentration;
+        description->has_concentration = true;
+    }
     if (options->albedo) {
         char *end;
         double value = strtod(options->albedo, &end);
@@ -141,6 +145,8 @@ murk_status cli_job_describe(struct cli_job *job)
     const char *input = job->options->input;
     char message[SCENE_MESSAGE_SIZE] = "";
     murk_status status = MURK_OK;
+    if (!strcmp(job->command, "contrast"))
+        return MURK_OK;
     if (cli_has_extension(input, ".json"))
         status = scene_parse(input, &job->description, message);
     else
@@ -164,6 +170,14 @@ murk_status cli_job_read(struct cli_job *job)
     return status;
 }
 
+static bool has_mass(const struct scene *scene)
+{
+    for (size_t n = 0; n < scene->band_count; n++)
+        if (scene->band[n].mass_extinction > 0)
+            return true;
+    return false;
+}
+
 murk_status cli_job_build(struct cli_job *job)
 {
     char message[SCENE_MESSAGE_SIZE] = "";
@@ -171,6 +185,10 @@ murk_status cli_job_build(struct cli_job *job)
     murk_status status = scene_build(job->context, &job->description, &job->scene, message);
     if (status != MURK_OK) {
         cli_error(&job->terminal, "%s", message);
+    } else if (!isnan(job->options->concentration) && !has_mass(&job->scene)) {
+        cli_error(&job->terminal, "--concentration: the scene has no mass extinction coefficients; "
+                                  "--scale sets the extinction");
+        status = MURK_ERROR_INPUT;
     } else if (job->options->ground_radiosity && !job->scene.band[0].ground) {
         cli_error(&job->terminal, "--ground-radiosity: the scene has no ground");
         status = MURK_ERROR_INPUT;
@@ -202,6 +220,15 @@ murk_status cli_job_solve(struct cli_job *job)
     release_solutions(job->start);
     cli_terminal_clear(&job->terminal);
     return cli_job_fail(job, worst);
+}
+
+bool cli_job_chose_scale(const struct cli_job *job, murk_medium_info *info)
+{
+    const struct scene_description *first =
+        job->description.band_count ? job->description.band : &job->description;
+    const struct scene_band *band = &job->scene.band[0];
+    return first->medium.extinction.scale == 0.0 && !(band->mass_extinction > 0.0) &&
+           murk_medium_info_get(band->medium, info) == MURK_OK && info->extinction_scale > 0.0;
 }
 
 const murk_report *cli_job_report(const struct cli_job *job)

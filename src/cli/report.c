@@ -66,8 +66,7 @@ static void say_outputs(struct cli_job *job)
 static void say_scale(struct cli_job *job)
 {
     murk_medium_info info;
-    if (murk_medium_info_get(job->scene.band[0].medium, &info) == MURK_OK && info.zones > 0 &&
-        job->description.medium.extinction.scale == 0.0 && info.extinction_scale > 0.0)
+    if (cli_job_chose_scale(job, &info) && info.zones > 0)
         cli_say(&job->terminal,
                 "extinction = %g x the grid, %.2g optical depths at most; --scale sets it",
                 info.extinction_scale, info.max_depth);

@@ -8,9 +8,7 @@
 static bool open_scale(const struct cli_job *job)
 {
     murk_medium_info info;
-    return job->description.medium.extinction.scale == 0.0 &&
-           murk_medium_info_get(job->scene.band[0].medium, &info) == MURK_OK &&
-           info.extinction_scale > 0.0;
+    return cli_job_chose_scale(job, &info);
 }
 
 static bool open_ground(const struct cli_job *job)
@@ -35,6 +33,8 @@ static bool open_exposure(const struct cli_job *job)
 
 void cli_unsteady_warn(struct cli_job *job)
 {
+    if (job->scene.band_count == 0)
+        return;
     const char *const open[] = {
         open_scale(job) ? "extinction (--scale)" : NULL,
         open_ground(job) ? "ground (in a scene: height, extent)" : NULL,

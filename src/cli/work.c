@@ -86,16 +86,19 @@ static murk_status render(struct cli_job *job)
 
 int cli_image(const struct cli_options *options, const char *command_line)
 {
-    return cli_run(options, "image", command_line, image);
+    static const struct cli_steps STEPS = {.check = cli_output_check, .work = image};
+    return cli_run(options, "image", command_line, &STEPS);
 }
 
 int cli_solve(const struct cli_options *options, const char *command_line)
 {
-    return cli_run(options, "solve", command_line, solve);
+    static const struct cli_steps STEPS = {.check = cli_output_check, .work = solve};
+    return cli_run(options, "solve", command_line, &STEPS);
 }
 
 int cli_render(const struct cli_options *options, const char *command_line)
 {
+    static const struct cli_steps STEPS = {.check = cli_output_check, .work = render};
     struct cli_terminal terminal;
     cli_terminal_init(&terminal, options->quiet, options->verbose);
     if (!options->radiosity) {
@@ -106,5 +109,5 @@ int cli_render(const struct cli_options *options, const char *command_line)
         cli_error(&terminal, "INPUT and --radiosity cannot both be standard input");
         return 1;
     }
-    return cli_run(options, "render", command_line, render);
+    return cli_run(options, "render", command_line, &STEPS);
 }

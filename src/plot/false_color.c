@@ -150,7 +150,8 @@ static murk_status draw_label(murk_context *context, const struct layout *l, con
     return murk_text_draw(context, out, &text);
 }
 
-/* The room of the widest number; that of seven digits at least, so that a sequence keeps its size. */
+/* The room of the widest number; that of seven digits at least, so that a sequence keeps its size.
+ */
 static double numbers_width(const murk_image *image, const double range[2])
 {
     int size = lay_out(image, 0).size;

@@ -2,6 +2,7 @@
 /* Only compiled, as C99 and C17: the public headers stand alone and keep to the language. */
 #include "murk/band.h"
 #include "murk/bands.h"
+#include "murk/contrast.h"
 #include "murk/exchange.h"
 #include "murk/murk.h"
 #include "murk/plot.h"
