@@ -138,7 +138,7 @@ static murk_bricks read_bricks(murk_context *context, const murk_vdb *vdb, const
     murk_bricks bricks = {0};
     for (size_t i = 0; i < murk_vdb_count(vdb); i++)
         if (!strcmp(murk_vdb_info(vdb, i)->name, name))
-            assert_int_equal(murk_vdb_bricks(context, vdb, i, &bricks), MURK_OK);
+            assert_int_equal(murk_vdb_bricks(context, vdb, i, 0, &bricks), MURK_OK);
     assert_non_null(bricks.brick);
     return bricks;
 }
