@@ -172,9 +172,8 @@ class reader
         item.info.type = item.type.c_str();
         item.info.grid_class = item.grid_class.c_str();
         item.info.unreadable = item.info.readable ? nullptr : item.unreadable.c_str();
-        /* Of vectors a radiosity alone is kept: a velocity would take memory for nothing. */
-        if (item.components == 3 && std::string(entry.name).compare(0, 9, "radiosity"))
-            item.components = 0;
+        if (item.components == 3 && !is_radiosity(entry))
+            item.components = 0; /* a velocity would take memory for nothing */
         if (item.components)
             item.grid = grid;
     }
@@ -229,6 +228,12 @@ class reader
         item.type = type_of(entry);
         item.grid_class = "unknown";
         item.unreadable = reason;
+    }
+
+    static bool is_radiosity(const murk_vdb_entry &entry)
+    {
+        const std::string name = entry.name;
+        return name.substr(0, name.find(char(MURK_VDB_SEPARATOR))) == "radiosity";
     }
 
     /* "Tree_float_5_4_3_HalfFloat" is "half". */

@@ -97,8 +97,9 @@ openvdb::GridBase::Ptr make_grid(const murk_vdb_grid &from)
 /* The largest value, for 16-bit floats that end at 65504. */
 float find_maximum(const murk_vdb_grid &from)
 {
+    const float *const components[] = {from.bricks->values, from.y, from.z};
     float maximum = 0;
-    for (const float *values : {const_cast<const float *>(from.bricks->values), from.y, from.z})
+    for (const float *values : components)
         for (size_t i = 0; values && i < from.bricks->count * MURK_BRICK_SLOTS; i++)
             maximum = std::fmax(maximum, std::fabs(values[i]));
     return maximum;
