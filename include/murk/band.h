@@ -12,12 +12,6 @@
 extern "C" {
 #endif
 
-/** From wavelength[0] to wavelength[1] [m]. Where both are the same, all quantities of the band are
- *  those per micrometre at that wavelength. Both 0: no band is known. */
-typedef struct murk_band {
-    double wavelength[2];
-} murk_band;
-
 /** Whether 0 < wavelength[0] <= wavelength[1], both finite. */
 MURK_API bool murk_band_valid(const murk_band *band);
 

@@ -100,6 +100,7 @@ static void set_defaults(struct cli_options *options)
     const murk_solve_options solve = MURK_SOLVE_DEFAULT;
     *options = (struct cli_options){
         .scale = NAN,
+        .concentration = NAN,
         .voxel_size = NAN,
         .voxels = -1,
         .up = -1,

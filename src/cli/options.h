@@ -42,8 +42,8 @@ struct cli_options {
     const char *frames;
     bool resume;
 
-    const char *grid, *albedo;
-    double scale, voxel_size;
+    const char *grid, *albedo, *bands;
+    double scale, concentration, voxel_size;
     int voxels, up;
     bool strict;
 

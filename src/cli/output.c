@@ -99,18 +99,29 @@ static murk_status write_radiosity(struct cli_job *job, const char *path)
     options.albedo = job->options->albedo_grid;
     options.half = job->options->half;
     options.command = job->command_line;
-    return murk_solution_write(job->solution, path, &options);
+    return murk_solution_write(job->solution[0], path, &options);
 }
 
+/* One channel a band, by its name, or Y. */
 static murk_status write_ground(struct cli_job *job, const char *path)
 {
-    static const char *const NAMES[] = {"Y"};
+    const char *names[SCENE_BANDS_MAX];
+    const int count = (int)job->scene.band_count;
     murk_image *image = NULL;
     int size[2];
-    murk_ground_patches(job->scene.ground, size);
-    murk_status status = murk_image_create(job->context, size[0], size[1], 1, NAMES, &image);
-    if (status == MURK_OK)
-        status = murk_solution_ground(job->solution, murk_image_pixels(image));
+    murk_ground_patches(job->scene.band[0].ground, size);
+    for (int n = 0; n < count; n++)
+        names[n] = job->scene.band[n].name ? job->scene.band[n].name : "Y";
+    murk_status status = murk_image_create(job->context, size[0], size[1], count, names, &image);
+    float *one = malloc(sizeof *one * (size_t)size[0] * (size_t)size[1]);
+    if (!one)
+        status = MURK_ERROR_MEMORY;
+    for (int n = 0; n < count && status == MURK_OK; n++) {
+        status = murk_solution_ground(job->solution[n], one);
+        for (int i = 0; i < size[0] * size[1] && status == MURK_OK; i++)
+            murk_image_pixels(image)[i * count + n] = one[i];
+    }
+    free(one);
     if (status == MURK_OK)
         status = write_image(job, image, path, "W/m^2");
     murk_image_release(image);

@@ -67,8 +67,15 @@ static const struct cli_option TABLE[] = {
      "extinction [1/m] = S times the grid's value; not given: such that the deepest column has "
      "about 5 optical depths",
      .value = cli_value_number, FIELD(scale), POSITIVE},
+    {"concentration", 0, WORKING, MEDIUM, "G",
+     "concentration [g/m^3] per unit of the grid, for scenes with mass extinction coefficients",
+     .value = cli_value_number, FIELD(concentration), POSITIVE},
     {"albedo", 0, CLI_INPUT, MEDIUM, "A", "single-scattering albedo: a number or a grid's name",
      TEXT(albedo)},
+    {"bands", 0, WORKING, MEDIUM, "LIST",
+     "the bands to work on, such as R,G,B,LWIR: of those in the scene; where it has none, by names "
+     "of R, G, B, NIR, SWIR, MWIR and LWIR",
+     TEXT(bands)},
     {"voxel-size", 0, CLI_INPUT, MEDIUM, "D", "edge of a voxel [m], where the file's is wrong",
      .value = cli_value_number, FIELD(voxel_size), POSITIVE},
     {"voxels", 0, CLI_INPUT, MEDIUM, "WHERE", "what a voxel's index is: its center or its corner",

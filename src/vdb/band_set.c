@@ -57,8 +57,7 @@ bool murk_band_set_one_extinction(const murk_band_set *set)
 
 static murk_status check_name(const murk_band_set *set, size_t band, const char *where)
 {
-    static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                  "0123456789_-.";
+    static const char signs[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
     murk_context *context = set->solution[0]->context;
     const char *name = murk_band_set_name(set, band);
     if (!name && set->count == 1)
@@ -68,16 +67,14 @@ static murk_status check_name(const murk_band_set *set, size_t band, const char 
                          "%s: band %zu of %zu has no name; give each a name", where, band + 1,
                          set->count);
     size_t length = strlen(name);
-    if (!length || length >= MURK_BAND_NAME || strspn(name, letters) != length)
+    if (!length || length >= MURK_BAND_NAME || strspn(name, signs) != length)
         return murk_fail(context, MURK_ERROR_INPUT,
-                         "%s: \"%.100s\" is no name of a band; use 1 to %d letters, digits, '_', "
-                         "'-' and '.'",
+                         "%s: band \"%.100s\": a name has letters, digits, _ and -, %d at most",
                          where, name, MURK_BAND_NAME - 1);
     for (size_t i = 0; i < band; i++)
         if (!strcmp(set->name[i], name))
-            return murk_fail(context, MURK_ERROR_INPUT,
-                             "%s: two bands are named %s; give each a name of its own", where,
-                             name);
+            return murk_fail(context, MURK_ERROR_INPUT, "%s: band %s: there are two of that name",
+                             where, name);
     return MURK_OK;
 }
 

@@ -5,7 +5,7 @@
 
 #include "solution.h"
 
-enum { MURK_BAND_NAME = 32 }; /* characters of a name and its end */
+enum { MURK_BAND_NAME = 40 }; /* characters of a name and its end */
 
 typedef struct murk_band_set {
     const murk_solution *const *solution;

@@ -232,14 +232,15 @@ static void test_refusals(void **state)
     const bands nameless = {3, {"R", NULL, "B"}, {1, 2, 3}, false};
     const bands empty = {3, {"", "G", "B"}, {1, 2, 3}, false};
     const bands spaced = {3, {"R", "G", "a b"}, {1, 2, 3}, false};
-    const bands lengthy = {3, {"R", "G", "abcdefghijklmnopqrstuvwxyz123456"}, {1, 2, 3}, false};
+    const bands lengthy = {
+        3, {"R", "G", "abcdefghijklmnopqrstuvwxyz-1234567890abc"}, {1, 2, 3}, false};
     lit l = make_lit(*state, "rotated.vdb", &good);
     lit other = make_lit(*state, "active_zeros.vdb", &good);
-    assert_not_written(*state, &l, &twice, "two bands are named R");
+    assert_not_written(*state, &l, &twice, "band R: there are two of that name");
     assert_not_written(*state, &l, &nameless, "band 2 of 3 has no name");
-    assert_not_written(*state, &l, &empty, "\"\" is no name of a band");
-    assert_not_written(*state, &l, &spaced, "\"a b\" is no name of a band");
-    assert_not_written(*state, &l, &lengthy, "is no name of a band");
+    assert_not_written(*state, &l, &empty, "band \"\": a name has letters");
+    assert_not_written(*state, &l, &spaced, "band \"a b\": a name has letters");
+    assert_not_written(*state, &l, &lengthy, "a name has letters, digits, _ and -, 39 at most");
     lit mixed = l;
     mixed.solution[2] = other.solution[2];
     assert_not_written(*state, &mixed, &good, "the bands R and LWIR are on different voxels");
