@@ -49,8 +49,10 @@ static bool read_band(struct scene_reader *reader, const json_t *value,
     if (json_object_get(value, "extinction") && json_object_get(value, "mass_extinction"))
         return scene_fail(reader, "takes one of \"extinction\" and \"mass_extinction\"");
     /* What the band gives goes in place of what the scene gives, whole. */
-    if (json_object_get(value, "albedo"))
+    if (json_object_get(value, "albedo")) {
         band->medium.albedo = (murk_quantity){NULL, 1.0, 0.0};
+        band->albedo_named = true;
+    }
     if (json_object_get(value, "emission"))
         band->medium.emission = (murk_quantity){NULL, 1.0, 0.0};
     const json_t *ground = json_object_get(value, "ground");
