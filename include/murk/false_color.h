@@ -36,7 +36,7 @@ typedef struct murk_false_color {
  * 0): at the top left the channel in false colour, pixel by pixel, values that are not finite in
  * grey; to the right of it the scale bar with ticks, numbers and the label. Text and bar grow with
  * the picture's height; a picture too low for them (some 120 pixels) gets white below. Its size
- * depends on that of the picture, not on the range, as long as the numbers have up to 7 digits.
+ * depends on that of the picture, not on the range, as long as the numbers have up to 5 digits.
  * Warns where there is no font, and goes without text. Fails with MURK_ERROR_INPUT where there is
  * no such channel and where low is not below high.
  */

@@ -109,6 +109,7 @@ static void set_defaults(struct cli_options *options)
         .target = {NAN, NAN, NAN},
         .fov = NAN,
         .exposure = NAN,
+        .range = {NAN, NAN},
         .runs = 3,
         .netd = NAN,
         .snr = NAN,

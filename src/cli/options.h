@@ -64,6 +64,8 @@ struct cli_options {
     int size[2], samples;
     bool no_background;
     double exposure;
+    const char *show; /* a channel */
+    double range[2];
 
     bool half, emission_coefficient, extinction_grid, albedo_grid;
 

@@ -167,6 +167,14 @@ static const struct cli_option TABLE[] = {
      "for .png and the like; without it the 99th percentile of the luminance shows as 0.9",
      .value = cli_value_number, FIELD(exposure), .min = -100, .max = 100,
      .expected = "a number of stops from -100 to 100"},
+    {"show", 0, PICTURE, CAMERA, "CHANNEL",
+     "for .png and the like: a channel in false colour with a scale bar, such as Z, "
+     "transmittance.Y or LWIR.temperature [K]",
+     TEXT(show)},
+    {"range", 0, PICTURE, CAMERA, "LOW:HIGH",
+     "the ends of the scale bar; without it the 1st to the 99th percentile, for each frame anew",
+     .value = cli_value_range, FIELD(range),
+     .expected = "two numbers, the lower one first, such as 280:320"},
 
     {"target", 0, CLI_CONTRAST, CONTRAST, "REGION",
      "what is to be seen: X,Y,WxH, or an image of the picture's size that is above 0.5 there",

@@ -27,8 +27,13 @@ static bool open_camera(const struct cli_job *job)
 static bool open_exposure(const struct cli_job *job)
 {
     const struct cli_options *options = job->options;
-    return job->picture && isnan(options->exposure) &&
+    return job->picture && !options->show && isnan(options->exposure) &&
            (options->preview || !cli_has_extension(options->output, ".exr"));
+}
+
+static bool open_range(const struct cli_job *job)
+{
+    return job->options->show && isnan(job->options->range[0]);
 }
 
 void cli_unsteady_warn(struct cli_job *job)
@@ -40,6 +45,7 @@ void cli_unsteady_warn(struct cli_job *job)
         open_ground(job) ? "ground (in a scene: height, extent)" : NULL,
         open_camera(job) ? "camera (--eye, --target)" : NULL,
         open_exposure(job) ? "exposure (--exposure)" : NULL,
+        open_range(job) ? "range of the scale bar (--range)" : NULL,
     };
     char list[160] = "";
     for (size_t i = 0; i < sizeof open / sizeof *open; i++)

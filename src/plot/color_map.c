@@ -9,8 +9,8 @@ static const murk_color GREY = {0.216f, 0.216f, 0.216f}; /* 0x808080; no value h
 
 /* OKLab's a and b at equal steps of lightness: violet, magenta, red, orange, yellow. */
 static const double POINTS[][2] = {
-    {0.028, -0.053}, {0.100, -0.111}, {0.177, -0.031}, {0.168, 0.089},
-    {0.087, 0.140},  {0.012, 0.139},  {-0.013, 0.048},
+    {0.028, -0.053}, {0.096, -0.107}, {0.168, -0.030}, {0.168, 0.089},
+    {0.087, 0.138},  {0.012, 0.137},  {-0.013, 0.046},
 };
 enum { INTERVALS = sizeof POINTS / sizeof *POINTS - 1 };
 

@@ -50,6 +50,11 @@ static murk_status choose_range(murk_context *context, const murk_image *image, 
         const float *values = image->pixels + channel;
         double low = murk_percentile(values, count, stride, 0.01), chosen[2];
         double high = murk_percentile(values, count, stride, 0.99);
+        if (low == high) { /* one value stands in the middle */
+            double margin = fmax(1e-9, 0.1 * fabs(low));
+            low -= margin;
+            high += margin;
+        }
         if (isnan(low) || !murk_axis_range(&linear, low, high, chosen)) {
             chosen[0] = 0; /* nothing to show */
             chosen[1] = 1;
@@ -150,12 +155,12 @@ static murk_status draw_label(murk_context *context, const struct layout *l, con
     return murk_text_draw(context, out, &text);
 }
 
-/* The room of the widest number; that of seven digits at least, so that a sequence keeps its size.
+/* The room of the widest number; that of five digits at least, so that a sequence keeps its size.
  */
 static double numbers_width(const murk_image *image, const double range[2])
 {
     int size = lay_out(image, 0).size;
-    double width = murk_text_width("000.000", size);
+    double width = murk_text_width("000.00", size);
     for (int end = 0; end < 2; end++) {
         char number[MURK_LABEL_SIZE];
         snprintf(number, sizeof number, "%.6g", range[end]);

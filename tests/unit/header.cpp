@@ -4,6 +4,7 @@
 #include "murk/bands.h"
 #include "murk/contrast.h"
 #include "murk/exchange.h"
+#include "murk/false_color.h"
 #include "murk/murk.h"
 #include "murk/plot.h"
 
