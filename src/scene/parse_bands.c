@@ -72,11 +72,9 @@ static bool complete(struct scene_reader *reader, struct scene_description *band
 {
     if (!band->name)
         return scene_fail(reader, "has no \"name\": {\"name\": \"LWIR\"} is the least");
-    size_t length = strlen(band->name);
-    if (length > 39 || strspn(band->name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                          "0123456789_-") != length)
-        return scene_fail(reader, "\"%s\": a name has letters, digits, _ and -, 39 at most",
-                          band->name);
+    if (!murk_band_name_valid(band->name))
+        return scene_fail(reader, "\"%s\": a name has letters, digits, _ and -, %d at most",
+                          band->name, MURK_BAND_NAME_MAX);
     if (!murk_band_valid(&band->wavelength))
         scene_known_band(band->name, &band->wavelength);
     if (!murk_band_valid(&band->wavelength))

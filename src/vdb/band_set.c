@@ -57,7 +57,6 @@ bool murk_band_set_one_extinction(const murk_band_set *set)
 
 static murk_status check_name(const murk_band_set *set, size_t band, const char *where)
 {
-    static const char signs[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
     murk_context *context = set->solution[0]->context;
     const char *name = murk_band_set_name(set, band);
     if (!name && set->count == 1)
@@ -66,11 +65,10 @@ static murk_status check_name(const murk_band_set *set, size_t band, const char 
         return murk_fail(context, MURK_ERROR_INPUT,
                          "%s: band %zu of %zu has no name; give each a name", where, band + 1,
                          set->count);
-    size_t length = strlen(name);
-    if (!length || length >= MURK_BAND_NAME || strspn(name, signs) != length)
+    if (!murk_band_name_valid(name))
         return murk_fail(context, MURK_ERROR_INPUT,
                          "%s: band \"%.100s\": a name has letters, digits, _ and -, %d at most",
-                         where, name, MURK_BAND_NAME - 1);
+                         where, name, MURK_BAND_NAME_MAX);
     for (size_t i = 0; i < band; i++)
         if (!strcmp(set->name[i], name))
             return murk_fail(context, MURK_ERROR_INPUT, "%s: band %s: there are two of that name",

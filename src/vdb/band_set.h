@@ -3,9 +3,8 @@
 #ifndef MURK_VDB_BAND_SET_H
 #define MURK_VDB_BAND_SET_H
 
+#include "murk/band.h"
 #include "solution.h"
-
-enum { MURK_BAND_NAME = 40 }; /* characters of a name and its end */
 
 typedef struct murk_band_set {
     const murk_solution *const *solution;

@@ -90,7 +90,7 @@ murk_status murk_metadata_make(const murk_band_set *set, const char *command, mu
     murk_metadata m = {
         .entry = murk_alloc(COMMON_MAX + FACTS_MAX * set->count, sizeof *m.entry),
         .facts = murk_alloc(set->count, sizeof *m.facts),
-        .bands = murk_alloc(set->count, MURK_BAND_NAME),
+        .bands = murk_alloc(set->count, MURK_BAND_NAME_MAX + 1),
     };
     if (!m.entry || !m.facts || !m.bands) {
         murk_metadata_clear(&m);
