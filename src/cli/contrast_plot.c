@@ -143,11 +143,12 @@ static murk_status draw(murk_context *context, const struct cli_contrast *contra
     for (int p = 0; p < count && status == MURK_OK; p++) {
         const murk_rectangle place = {0, p * HEIGHT, WIDTH, HEIGHT};
         make_curves(&curves, contrast, shown[p], against);
+        const double margin = MARGIN * (curves.high - curves.low);
         const murk_plot plot = {.title = shown[p]->title,
                                 .x = {.label = LABELS[against]},
                                 .y = {.label = shown[p]->label,
-                                      .min = (1 + MARGIN) * curves.low,
-                                      .max = (1 + MARGIN) * curves.high},
+                                      .min = curves.low < 0 ? curves.low - margin : 0,
+                                      .max = curves.high > 0 ? curves.high + margin : 0},
                                 .curve = curves.curve,
                                 .curve_count = curves.count,
                                 .text_size = TEXT_SIZE};

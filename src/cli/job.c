@@ -3,7 +3,9 @@
 
 #include "pattern.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -57,12 +59,17 @@ murk_status cli_job_start(struct cli_job *job, const struct cli_options *options
 }
 
 /* What the command line says goes before what the scene says. */
-static void apply_medium_options(const struct cli_options *options,
+static void apply_medium_options(const struct cli_options *options, const char *obscurant,
                                  struct scene_description *description)
 {
     murk_medium_options *medium = &description->medium;
     if (options->grid)
-        medium->extinction.grid = options->grid;
+        medium->extinction.grid = description->concentration.grid = options->grid;
+    if (obscurant) {
+        description->obscurant = obscurant;
+        description->mass_extinction = NAN;
+        description->albedo_named = false;
+    }
     if (!isnan(options->scale)) {
         medium->extinction.scale = options->scale;
         medium->extinction.value = MURK_FROM_GRID;
@@ -78,6 +85,7 @@ static void apply_medium_options(const struct cli_options *options,
         double value = strtod(options->albedo, &end);
         bool number = *end == '\0';
         medium->albedo = (murk_quantity){number ? NULL : options->albedo, 1.0, number ? value : 0};
+        description->albedo_named = true;
     }
     if (!isnan(options->voxel_size))
         medium->voxel_size = options->voxel_size;
@@ -88,12 +96,13 @@ static void apply_medium_options(const struct cli_options *options,
     medium->strict |= options->strict;
 }
 
-static void apply_options(const struct cli_options *options, struct scene_description *description)
+static void apply_options(const struct cli_options *options, const char *obscurant,
+                          struct scene_description *description)
 {
     murk_camera *camera = &description->camera;
-    apply_medium_options(options, description);
+    apply_medium_options(options, obscurant, description);
     for (size_t n = 0; n < description->band_count; n++)
-        apply_medium_options(options, &description->band[n]);
+        apply_medium_options(options, obscurant, &description->band[n]);
     if (!isnan(options->eye[0]))
         memcpy(camera->eye, options->eye, sizeof camera->eye);
     if (!isnan(options->target[0]))
@@ -153,10 +162,16 @@ murk_status cli_job_describe(struct cli_job *job)
         scene_describe_volume(input, &job->description);
     if (status == MURK_OK && job->options->bands)
         status = scene_choose_bands(&job->description, job->options->bands, message);
+    if (status == MURK_OK && job->options->obscurant && !job->obscurant &&
+        !(job->obscurant = realpath(job->options->obscurant, NULL))) {
+        snprintf(message, sizeof message, "--obscurant %s: cannot read: %s",
+                 job->options->obscurant, strerror(errno));
+        status = MURK_ERROR_INPUT;
+    }
     if (status != MURK_OK)
         cli_error(&job->terminal, "%s", message);
     else
-        apply_options(job->options, &job->description);
+        apply_options(job->options, job->obscurant, &job->description);
     return status == MURK_OK && job->frame ? name_frame_files(job) : status;
 }
 
@@ -301,5 +316,6 @@ int cli_job_end(struct cli_job *job, murk_status status)
     cli_job_next(job, status);
     release_solutions(job->start);
     murk_context_release(job->context);
+    free(job->obscurant);
     return cli_exit_status(status);
 }

@@ -16,6 +16,7 @@ struct cli_job {
     void *state; /* of the command, from frame to frame */
     struct scene_description description;
     char *files[SCENE_FILE_MAX]; /* of the frame, where the description has patterns */
+    char *obscurant;             /* of --obscurant, from the root */
     struct scene scene;
     murk_solution *start[SCENE_BANDS_MAX];    /* of the frame before, until this one is solved */
     murk_solution *solution[SCENE_BANDS_MAX]; /* of the scene's bands */

@@ -52,7 +52,7 @@ struct cli_options {
     const char *frames;
     bool resume;
 
-    const char *grid, *albedo, *bands;
+    const char *grid, *albedo, *bands, *obscurant;
     double scale, concentration, voxel_size;
     int voxels, up;
     bool strict;

@@ -101,7 +101,11 @@ static murk_status write_radiosity(struct cli_job *job, const char *path)
     options.albedo = job->options->albedo_grid;
     options.half = job->options->half;
     options.command = job->command_line;
-    return murk_solution_write(job->solution[0], path, &options);
+    const char *names[SCENE_BANDS_MAX];
+    for (size_t n = 0; n < job->scene.band_count; n++)
+        names[n] = job->scene.band[n].name;
+    return murk_solutions_write((const murk_solution *const *)job->solution, names,
+                                job->scene.band_count, path, &options);
 }
 
 /* One channel a band, by its name, or Y. */

@@ -86,6 +86,8 @@ static const struct cli_option TABLE[] = {
      "extinction [1/m] = S times the grid's value; not given: such that the deepest column has "
      "about 5 optical depths",
      .value = cli_value_number, FIELD(scale), POSITIVE},
+    {"obscurant", 0, WORKING, MEDIUM, "FILE",
+     "mass extinction coefficient, albedo and asymmetry by wavelength, as .json", TEXT(obscurant)},
     {"concentration", 0, WORKING, MEDIUM, "G",
      "concentration [g/m^3] per unit of the grid, for scenes with mass extinction coefficients",
      .value = cli_value_number, FIELD(concentration), POSITIVE},

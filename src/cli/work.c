@@ -63,9 +63,11 @@ static murk_status read_solution(struct cli_job *job)
     murk_volume *volume = NULL;
     double start = cli_seconds();
     murk_status status = murk_volume_read(job->context, job->options->radiosity, &volume);
-    if (status == MURK_OK)
-        status = murk_solution_from_volume(job->context, &job->scene.band[0].scene, volume,
-                                           &job->solution[0]);
+    for (size_t n = 0; n < job->scene.band_count && status == MURK_OK; n++) {
+        const struct scene_band *band = &job->scene.band[n];
+        status = murk_solution_from_volume_band(job->context, &band->scene, volume, band->name,
+                                                &job->solution[n]);
+    }
     murk_volume_release(volume);
     cli_terminal_clear(&job->terminal);
     job->seconds_read += cli_seconds() - start;

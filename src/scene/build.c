@@ -35,7 +35,10 @@ murk_status scene_pass_on(murk_context *context, murk_status status,
 murk_status scene_refuse(const struct scene_description *description, const char *key,
                          const char *text, char message[SCENE_MESSAGE_SIZE])
 {
-    write_place(description, key, text, message);
+    if (description->path)
+        write_place(description, key, text, message);
+    else
+        snprintf(message, SCENE_MESSAGE_SIZE, "%s: %s", key, text);
     return MURK_ERROR_INPUT;
 }
 

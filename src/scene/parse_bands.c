@@ -49,8 +49,10 @@ static bool read_band(struct scene_reader *reader, const json_t *value,
     if (json_object_get(value, "extinction") && json_object_get(value, "mass_extinction"))
         return scene_fail(reader, "takes one of \"extinction\" and \"mass_extinction\"");
     /* What the band gives goes in place of what the scene gives, whole. */
-    if (json_object_get(value, "albedo"))
+    if (json_object_get(value, "albedo")) {
         band->medium.albedo = (murk_quantity){NULL, 1.0, 0.0};
+        band->albedo_named = true;
+    }
     if (json_object_get(value, "emission"))
         band->medium.emission = (murk_quantity){NULL, 1.0, 0.0};
     const json_t *ground = json_object_get(value, "ground");
@@ -70,11 +72,9 @@ static bool complete(struct scene_reader *reader, struct scene_description *band
 {
     if (!band->name)
         return scene_fail(reader, "has no \"name\": {\"name\": \"LWIR\"} is the least");
-    size_t length = strlen(band->name);
-    if (length > 39 || strspn(band->name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                          "0123456789_-") != length)
-        return scene_fail(reader, "\"%s\": a name has letters, digits, _ and -, 39 at most",
-                          band->name);
+    if (!murk_band_name_valid(band->name))
+        return scene_fail(reader, "\"%s\": a name has letters, digits, _ and -, %d at most",
+                          band->name, MURK_BAND_NAME_MAX);
     if (!murk_band_valid(&band->wavelength))
         scene_known_band(band->name, &band->wavelength);
     if (!murk_band_valid(&band->wavelength))
