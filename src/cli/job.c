@@ -57,15 +57,17 @@ murk_status cli_job_start(struct cli_job *job, const struct cli_options *options
 }
 
 /* What the command line says goes before what the scene says. */
-static void apply_options(const struct cli_options *options, struct scene_description *description)
+static void apply_medium_options(const struct cli_options *options,
+                                 struct scene_description *description)
 {
     murk_medium_options *medium = &description->medium;
-    murk_camera *camera = &description->camera;
     if (options->grid)
         medium->extinction.grid = options->grid;
     if (!isnan(options->scale)) {
         medium->extinction.scale = options->scale;
         medium->extinction.value = MURK_FROM_GRID;
+        description->mass_extinction = NAN;
+        description->obscurant = NULL;
     }
     if (options->albedo) {
         char *end;
@@ -80,6 +82,14 @@ static void apply_options(const struct cli_options *options, struct scene_descri
     if (options->up >= 0)
         description->up = options->up == 1 ? MURK_UP_Y : MURK_UP_Z;
     medium->strict |= options->strict;
+}
+
+static void apply_options(const struct cli_options *options, struct scene_description *description)
+{
+    murk_camera *camera = &description->camera;
+    apply_medium_options(options, description);
+    for (size_t n = 0; n < description->band_count; n++)
+        apply_medium_options(options, &description->band[n]);
     if (!isnan(options->eye[0]))
         memcpy(camera->eye, options->eye, sizeof camera->eye);
     if (!isnan(options->target[0]))
@@ -159,7 +169,7 @@ murk_status cli_job_build(struct cli_job *job)
     murk_status status = scene_build(job->context, &job->description, &job->scene, message);
     if (status != MURK_OK) {
         cli_error(&job->terminal, "%s", message);
-    } else if (job->options->ground_radiosity && !job->scene.ground) {
+    } else if (job->options->ground_radiosity && !job->scene.band[0].ground) {
         cli_error(&job->terminal, "--ground-radiosity: the scene has no ground");
         status = MURK_ERROR_INPUT;
     }
@@ -167,17 +177,59 @@ murk_status cli_job_build(struct cli_job *job)
     return status;
 }
 
+static void release_solutions(murk_solution *solution[SCENE_BANDS_MAX])
+{
+    for (size_t n = 0; n < SCENE_BANDS_MAX; n++) {
+        murk_solution_release(solution[n]);
+        solution[n] = NULL;
+    }
+}
+
 murk_status cli_job_solve(struct cli_job *job)
 {
     murk_solve_options options = job->options->solve;
-    options.start = job->start;
+    murk_status worst = MURK_OK;
     if (!strcmp(job->command, "image") && !job->options->radiosity)
         options.camera = &job->scene.camera; /* nothing else will see the solution */
-    murk_status status = murk_solve(job->context, &job->scene.scene, &options, &job->solution);
-    murk_solution_release(job->start);
-    job->start = NULL;
+    for (size_t n = 0; n < job->scene.band_count && !cli_job_failed(worst); n++) {
+        options.start = job->start[n];
+        murk_status status =
+            murk_solve(job->context, &job->scene.band[n].scene, &options, &job->solution[n]);
+        worst = status != MURK_OK ? status : worst;
+    }
+    release_solutions(job->start);
     cli_terminal_clear(&job->terminal);
-    return cli_job_fail(job, status);
+    return cli_job_fail(job, worst);
+}
+
+const murk_report *cli_job_report(const struct cli_job *job)
+{
+    const murk_report *worst = NULL;
+    for (size_t n = 0; n < job->scene.band_count; n++) {
+        const murk_report *report = murk_solution_report(job->solution[n]);
+        if (!worst || report->estimate > worst->estimate)
+            worst = report;
+    }
+    return worst;
+}
+
+static murk_status render(struct cli_job *job, const murk_render_options *options)
+{
+    const struct scene *scene = &job->scene;
+    murk_band_view view[SCENE_BANDS_MAX];
+    if (!scene->band[0].name)
+        return murk_render(job->context, &scene->band[0].scene, job->solution[0], &scene->camera,
+                           options, &job->picture);
+    for (size_t n = 0; n < scene->band_count; n++) {
+        const struct scene_band *band = &scene->band[n];
+        view[n] = (murk_band_view){.name = band->name,
+                                   .band = band->band,
+                                   .mass_extinction = band->mass_extinction,
+                                   .scene = &band->scene,
+                                   .solution = job->solution[n]};
+    }
+    return murk_render_bands(job->context, view, scene->band_count, &scene->camera, options,
+                             &job->picture);
 }
 
 murk_status cli_job_render(struct cli_job *job)
@@ -187,8 +239,7 @@ murk_status cli_job_render(struct cli_job *job)
     options.samples = job->options->samples;
     options.no_background = job->scene.no_background;
     options.background = job->scene.background;
-    murk_status status = murk_render(job->context, &job->scene.scene, job->solution,
-                                     &job->scene.camera, &options, &job->picture);
+    murk_status status = render(job, &options);
     cli_terminal_clear(&job->terminal);
     job->seconds_render = cli_seconds() - start;
     return cli_job_fail(job, status);
@@ -197,16 +248,14 @@ murk_status cli_job_render(struct cli_job *job)
 void cli_job_next(struct cli_job *job, murk_status status)
 {
     if (cli_job_failed(status)) {
-        murk_solution_release(job->start);
-        job->start = NULL;
-    } else if (job->solution && strcmp(job->command, "render")) {
-        job->start = job->solution;
-        job->solution = NULL;
+        release_solutions(job->start);
+    } else if (job->solution[0] && strcmp(job->command, "render")) {
+        memcpy(job->start, job->solution, sizeof job->start);
+        memset(job->solution, 0, sizeof job->solution);
     }
     murk_image_release(job->picture);
-    murk_solution_release(job->solution);
+    release_solutions(job->solution);
     job->picture = NULL;
-    job->solution = NULL;
     scene_release(&job->scene);
     scene_description_release(&job->description);
     for (int i = 0; i < SCENE_FILE_MAX; i++) {
@@ -221,7 +270,7 @@ int cli_job_end(struct cli_job *job, murk_status status)
 {
     cli_terminal_clear(&job->terminal);
     cli_job_next(job, status);
-    murk_solution_release(job->start);
+    release_solutions(job->start);
     murk_context_release(job->context);
     return cli_exit_status(status);
 }

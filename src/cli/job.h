@@ -16,8 +16,8 @@ struct cli_job {
     struct scene_description description;
     char *files[SCENE_FILE_MAX]; /* of the frame, where the description has patterns */
     struct scene scene;
-    murk_solution *start; /* of the frame before, until this one is solved */
-    murk_solution *solution;
+    murk_solution *start[SCENE_BANDS_MAX];    /* of the frame before, until this one is solved */
+    murk_solution *solution[SCENE_BANDS_MAX]; /* of the scene's bands */
     murk_image *picture;
     double started;
     double seconds_read, seconds_render, seconds_write;
@@ -46,6 +46,9 @@ void cli_job_next(struct cli_job *job, murk_status status);
 
 /* Releases everything; gives the exit status for what the job came to. */
 int cli_job_end(struct cli_job *job, murk_status status);
+
+/* The report of the band that is furthest from its tolerance. */
+const murk_report *cli_job_report(const struct cli_job *job);
 
 /* Whether nothing came of it: MURK_NOT_REACHED delivers its result. */
 bool cli_job_failed(murk_status status);

@@ -99,7 +99,7 @@ static murk_status write_radiosity(struct cli_job *job, const char *path)
     options.albedo = job->options->albedo_grid;
     options.half = job->options->half;
     options.command = job->command_line;
-    return murk_solution_write(job->solution, path, &options);
+    return murk_solution_write(job->solution[0], path, &options);
 }
 
 static murk_status write_ground(struct cli_job *job, const char *path)
@@ -107,10 +107,10 @@ static murk_status write_ground(struct cli_job *job, const char *path)
     static const char *const NAMES[] = {"Y"};
     murk_image *image = NULL;
     int size[2];
-    murk_ground_patches(job->scene.ground, size);
+    murk_ground_patches(job->scene.band[0].ground, size);
     murk_status status = murk_image_create(job->context, size[0], size[1], 1, NAMES, &image);
     if (status == MURK_OK)
-        status = murk_solution_ground(job->solution, murk_image_pixels(image));
+        status = murk_solution_ground(job->solution[0], murk_image_pixels(image));
     if (status == MURK_OK)
         status = write_image(job, image, path, "W/m^2");
     murk_image_release(image);

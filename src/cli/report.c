@@ -55,7 +55,7 @@ static void say_outputs(struct cli_job *job)
 static void say_scale(struct cli_job *job)
 {
     murk_medium_info info;
-    if (murk_medium_info_get(job->scene.medium, &info) == MURK_OK && info.zones > 0 &&
+    if (murk_medium_info_get(job->scene.band[0].medium, &info) == MURK_OK && info.zones > 0 &&
         job->description.medium.extinction.scale == 0.0 && info.extinction_scale > 0.0)
         cli_say(&job->terminal,
                 "extinction = %g x the grid, %.2g optical depths at most; --scale sets it",
@@ -64,7 +64,7 @@ static void say_scale(struct cli_job *job)
 
 void cli_report_say(struct cli_job *job, murk_status status)
 {
-    const murk_report *report = murk_solution_report(job->solution);
+    const murk_report *report = cli_job_report(job);
     double seconds = cli_seconds() - job->started;
     if (!strcmp(job->command, "render"))
         cli_say(&job->terminal, "%llu zones, %llu patches, %.2f s",
@@ -147,7 +147,7 @@ static json_t *seconds_json(const struct cli_job *job, const murk_report *report
 void cli_report_json(const struct cli_job *job, murk_status status)
 {
     const struct cli_options *options = job->options;
-    const murk_report *report = murk_solution_report(job->solution);
+    const murk_report *report = cli_job_report(job);
     bool render = !strcmp(job->command, "render");
     json_t *object = json_object(), *inputs = json_object(), *outputs = json_object();
     json_object_set_new(inputs, "input", cli_json_text(options->input));
@@ -163,7 +163,7 @@ void cli_report_json(const struct cli_job *job, murk_status status)
         json_object_set_new(object, "frame", json_integer(*job->frame));
     json_object_set_new(object, "status", json_string(status_word(status)));
     murk_medium_info medium = {0};
-    if (murk_medium_info_get(job->scene.medium, &medium) == MURK_OK)
+    if (murk_medium_info_get(job->scene.band[0].medium, &medium) == MURK_OK)
         json_object_set_new(inputs, "extinction_scale", cli_json_number(medium.extinction_scale));
     json_object_set_new(object, "inputs", inputs);
     json_object_set_new(object, "outputs", outputs);

@@ -9,13 +9,14 @@ static bool open_scale(const struct cli_job *job)
 {
     murk_medium_info info;
     return job->description.medium.extinction.scale == 0.0 &&
-           murk_medium_info_get(job->scene.medium, &info) == MURK_OK && info.extinction_scale > 0.0;
+           murk_medium_info_get(job->scene.band[0].medium, &info) == MURK_OK &&
+           info.extinction_scale > 0.0;
 }
 
 static bool open_ground(const struct cli_job *job)
 {
     const murk_ground_options *ground = &job->description.ground;
-    return job->scene.ground &&
+    return job->scene.band[0].ground &&
            (isnan(ground->height) || ground->extent_min[0] == ground->extent_max[0]);
 }
 

@@ -17,8 +17,8 @@ static murk_status prepare(struct cli_job *job)
 /* Whether the camera can take the picture, before any long work. */
 static murk_status aim(struct cli_job *job)
 {
-    return cli_job_fail(job,
-                        murk_camera_check(job->context, &job->scene.scene, &job->scene.camera));
+    return cli_job_fail(
+        job, murk_camera_check(job->context, &job->scene.band[0].scene, &job->scene.camera));
 }
 
 /* Writes everything and tells what came out. */
@@ -64,7 +64,8 @@ static murk_status read_solution(struct cli_job *job)
     double start = cli_seconds();
     murk_status status = murk_volume_read(job->context, job->options->radiosity, &volume);
     if (status == MURK_OK)
-        status = murk_solution_from_volume(job->context, &job->scene.scene, volume, &job->solution);
+        status = murk_solution_from_volume(job->context, &job->scene.band[0].scene, volume,
+                                           &job->solution[0]);
     murk_volume_release(volume);
     cli_terminal_clear(&job->terminal);
     job->seconds_read += cli_seconds() - start;

@@ -198,6 +198,21 @@ int64_t murk_grid_slot(const murk_grid *grid, int32_t i, int32_t j, int32_t k)
                : (int64_t)b * MURK_BRICK_SLOTS + (i & 7) * 64 + (j & 7) * 8 + (k & 7);
 }
 
+int64_t murk_grid_beside(const murk_grid *grid, size_t slot, int axis, int step)
+{
+    static const int stride[3] = {64, 8, 1};
+    const int in[3] = {slot >> 6 & 7, slot >> 3 & 7, slot & 7};
+    if (in[axis] + step >= 0 && in[axis] + step <= 7)
+        return (int64_t)slot + step * stride[axis];
+    const int32_t *brick = grid->brick[slot / MURK_BRICK_SLOTS];
+    int32_t at[3] = {brick[0], brick[1], brick[2]};
+    at[axis] += step;
+    int32_t next = murk_grid_find(grid, at[0], at[1], at[2]);
+    return next == MURK_NO_BRICK
+               ? -1
+               : (int64_t)next * MURK_BRICK_SLOTS + (int64_t)(slot & 511) - step * 7 * stride[axis];
+}
+
 void murk_grid_direction_to_world(const murk_grid *grid, const double frame[3], double world[3])
 {
     for (int c = 0; c < 3; c++)

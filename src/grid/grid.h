@@ -55,6 +55,9 @@ static inline bool murk_grid_active(const murk_grid *grid, size_t brick, int slo
 /* Slot number brick*512 + slot of a voxel, or -1 where its brick does not exist. */
 int64_t murk_grid_slot(const murk_grid *grid, int32_t i, int32_t j, int32_t k);
 
+/* Slot number of the voxel one step (1 or -1) from another along an axis, or -1 likewise. */
+int64_t murk_grid_beside(const murk_grid *grid, size_t slot, int axis, int step);
+
 /* World <-> grid frame. Directions are turned, not scaled. */
 void murk_grid_to_world(const murk_grid *grid, const double frame[3], double world[3]);
 void murk_grid_from_world(const murk_grid *grid, const double world[3], double frame[3]);

@@ -70,6 +70,7 @@ static murk_status image_encode(murk_context *context, const murk_image *image, 
         .channels = image->channels,
         .names = (const char *const *)image->names,
         .floats = image->pixels,
+        .attributes = image->attributes,
         .command = options->command,
         .units = options->units,
     };
@@ -85,6 +86,7 @@ static murk_status image_encode(murk_context *context, const murk_image *image, 
     pixels.channels = 3;
     pixels.names = RGB;
     pixels.floats = NULL;
+    pixels.attributes = NULL;
     pixels.bytes = display;
     murk_status status = murk_oiio_encode(context, path, &pixels, bytes, size);
     murk_free(display);

@@ -57,12 +57,13 @@ static void count_line(void *user, const murk_lamp_node *node, const double offs
     ++*(size_t *)user;
 }
 
-/* Cell of a voxel of `to`, from the corner of the medium's grid. */
-static void cell_of(const gather *g, size_t brick, int slot, int32_t out[3])
+/* Cell of a voxel of one of the two grids, from the corner of the medium's. */
+static void cell_of(const gather *g, const murk_grid *grid, size_t slot, int32_t out[3])
 {
-    const int in[3] = {slot >> 6, slot >> 3 & 7, slot & 7};
+    const int in[3] = {slot >> 6 & 7, slot >> 3 & 7, slot & 7};
     for (int a = 0; a < 3; a++)
-        out[a] = g->to->brick[brick][a] * MURK_BRICK_EDGE + in[a] - g->medium->grid->lo[a];
+        out[a] = grid->brick[slot / MURK_BRICK_SLOTS][a] * MURK_BRICK_EDGE + in[a] -
+                 g->medium->grid->lo[a];
 }
 
 static receiver receiver_at(const gather *g, const int32_t cell[3])
@@ -103,7 +104,7 @@ static bool too_many(const gather *g, const murk_lamps *lamps)
     size_t lines = 0, samples = 0;
     for (size_t b = 0; b < bricks; b += stride, samples++) {
         int32_t cell[3];
-        cell_of(g, b, 4 * 64 + 4 * 8 + 4, cell);
+        cell_of(g, g->to, b * MURK_BRICK_SLOTS + 4 * 64 + 4 * 8 + 4, cell);
         receiver at = receiver_at(g, cell);
         murk_lamp_tree_visit(&g->tree, at.centre, count_line, &lines);
     }
@@ -125,7 +126,7 @@ static double gather_far(const gather *g, float *light)
             int32_t cell[3];
             if (!murk_grid_active(g->to, b, slot))
                 continue;
-            cell_of(g, b, slot, cell);
+            cell_of(g, g->to, b * MURK_BRICK_SLOTS + (size_t)slot, cell);
             receiver at = receiver_at(g, cell);
             murk_lamp_tree_visit(&g->tree, at.centre, add_far, &at);
             light[b * MURK_BRICK_SLOTS + (size_t)slot] = (float)at.light;
@@ -138,13 +139,8 @@ static void add_near(gather *g, const murk_lines_through *lines, const murk_lamp
                      float *light, double *left)
 {
     const murk_grid *grid = g->medium->grid;
-    const int slot = (int)(lamp->index % MURK_BRICK_SLOTS);
-    const int in[3] = {slot >> 6, slot >> 3 & 7, slot & 7};
-    int32_t voxel[3], cell[3], d[3];
-    for (int a = 0; a < 3; a++) {
-        voxel[a] = grid->brick[lamp->index / MURK_BRICK_SLOTS][a] * MURK_BRICK_EDGE + in[a];
-        cell[a] = voxel[a] - grid->lo[a];
-    }
+    int32_t cell[3], d[3];
+    cell_of(g, grid, lamp->index, cell);
     murk_lamp_near_trace(&g->near, lines, cell);
     *left += 4 * g->medium->kappa_t[lamp->index] * grid->volume * lamp->radiosity * g->near.left;
     const int *reach = g->near.reach;
@@ -153,7 +149,8 @@ static void add_near(gather *g, const murk_lines_through *lines, const murk_lamp
             for (d[2] = -reach[2]; d[2] <= reach[2]; d[2]++) {
                 int64_t index = murk_lamp_near_index(&g->near, d);
                 int64_t to =
-                    murk_grid_slot(g->to, voxel[0] + d[0], voxel[1] + d[1], voxel[2] + d[2]);
+                    murk_grid_slot(g->to, grid->lo[0] + cell[0] + d[0],
+                                   grid->lo[1] + cell[1] + d[1], grid->lo[2] + cell[2] + d[2]);
                 if (index >= 0 && to >= 0 &&
                     murk_grid_active(g->to, (size_t)to / MURK_BRICK_SLOTS, (int)(to & 511)))
                     light[to] += (float)(lamp->radiosity * g->near.light[index]);
@@ -218,7 +215,7 @@ static void gather_from_ground(const gather *g, const murk_lamps *lamps, float *
             int32_t cell[3];
             if (!murk_grid_active(g->to, b, slot))
                 continue;
-            cell_of(g, b, slot, cell);
+            cell_of(g, g->to, b * MURK_BRICK_SLOTS + (size_t)slot, cell);
             receiver at = receiver_at(g, cell);
             double kappa = fmax(at.kappa_t, least), sum = 0, above[3];
             murk_sight_project(&g->sight, at.centre, above);
@@ -234,18 +231,13 @@ static void gather_from_ground(const gather *g, const murk_lamps *lamps, float *
 static void gather_on_ground(const gather *g, const murk_ground *ground, const murk_lamps *lamps,
                              float *patch)
 {
-    const murk_grid *grid = g->medium->grid;
 #pragma omp parallel for num_threads(g->context->threads) schedule(dynamic, 8)
     for (size_t i = 0; i < ground->patch_count; i++) {
         double sum = 0;
         for (size_t n = 0; n < lamps->zones; n++) {
             const murk_lamp *lamp = lamps->lamp + n;
-            const int slot = (int)(lamp->index % MURK_BRICK_SLOTS);
-            const int in[3] = {slot >> 6, slot >> 3 & 7, slot & 7};
             int32_t cell[3];
-            for (int a = 0; a < 3; a++)
-                cell[a] = grid->brick[lamp->index / MURK_BRICK_SLOTS][a] * MURK_BRICK_EDGE + in[a] -
-                          grid->lo[a];
+            cell_of(g, g->medium->grid, lamp->index, cell);
             sum += lamp->radiosity *
                    murk_patch_factor(&g->sight, cell, g->medium->kappa_t[lamp->index], i);
         }

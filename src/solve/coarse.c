@@ -85,11 +85,9 @@ void murk_coarse_restrict(murk_coarse *coarse, const float *net, const float *ne
     const murk_bent *bent = &coarse->stage->bend.zones;
     for (size_t j = 0; j < coarse->system.slopes; j++) {
         size_t i = murk_bent_slot(bent, j);
-        float albedo = murk_value(&coarse->medium->albedo, i);
-        bool there = coarse->medium->kappa_t[i] > 0 &&
-                     murk_region_has(region, coarse->medium->grid->brick[i / MURK_BRICK_SLOTS]);
-        coarse->r.slope[j] = there ? coarse->direct.slope[j] + albedo * net_slope[j] -
-                                         (1 - albedo) * coarse->x.slope[j]
+        bool there = murk_region_has(region, coarse->medium->grid->brick[i / MURK_BRICK_SLOTS]);
+        coarse->r.slope[j] = there ? murk_system_left(&coarse->system, i, coarse->direct.slope[j],
+                                                      net_slope[j], coarse->x.slope[j])
                                    : 0;
     }
     restrict_zones(coarse, residual_value, &(struct residual){net, region}, coarse->r.zone);
@@ -114,21 +112,9 @@ static void find_scattered(murk_coarse *coarse)
    or 0. */
 static float slope(const murk_medium *medium, const float *field, size_t slot, int axis)
 {
-    const int32_t *brick = medium->grid->brick[slot / MURK_BRICK_SLOTS];
-    const int in[3] = {slot >> 6 & 7, slot >> 3 & 7, slot & 7};
-    static const int stride[3] = {64, 8, 1};
     float value[2], found = 0;
     for (int side = 0; side < 2; side++) {
-        int step = side ? 1 : -1;
-        int64_t to = (int64_t)slot + step * stride[axis];
-        if (in[axis] + step < 0 || in[axis] + step > 7) {
-            int32_t at[3] = {brick[0], brick[1], brick[2]};
-            at[axis] += step;
-            int32_t next = murk_grid_find(medium->grid, at[0], at[1], at[2]);
-            to = next == MURK_NO_BRICK ? -1
-                                       : (int64_t)next * MURK_BRICK_SLOTS + (int64_t)(slot & 511) -
-                                             step * 7 * stride[axis];
-        }
+        int64_t to = murk_grid_beside(medium->grid, slot, axis, side ? 1 : -1);
         bool there = to >= 0 && medium->kappa_t[to] > 0;
         value[side] = there ? field[to] : field[slot];
         found += there;

@@ -46,14 +46,12 @@ static bool split(const murk_system *system, const murk_vector *from, murk_vecto
         one->zone[i] = scatters;
         any = any || x->zone[i] != 0;
     }
-    for (size_t b = 0; b < system->slopes / MURK_BENT_SLOTS; b++)
-        for (size_t s = 0; s < MURK_BENT_SLOTS; s++) {
-            size_t i = (size_t)system->bent->brick[b] * MURK_BRICK_SLOTS + s % MURK_BRICK_SLOTS;
-            size_t j = b * MURK_BENT_SLOTS + s;
-            x->slope[j] = murk_value(&medium->albedo, i) > 0 ? 0 : from->slope[j];
-            one->slope[j] = 0;
-            any = any || x->slope[j] != 0;
-        }
+    for (size_t j = 0; j < system->slopes; j++) {
+        size_t i = murk_bent_slot(system->bent, j);
+        x->slope[j] = murk_value(&medium->albedo, i) > 0 ? 0 : from->slope[j];
+        one->slope[j] = 0;
+        any = any || x->slope[j] != 0;
+    }
     for (size_t i = 0; i < system->patches; i++) {
         bool reflects = system->ground->reflectance[i] > 0;
         x->patch[i] = reflects ? 0 : from->patch[i];

@@ -6,25 +6,19 @@
  */
 #include "levels.h"
 
+#include "angular.h"
 #include "audience.h"
-#include "coarse.h"
-#include "coarsen.h"
+#include "correction.h"
 #include "finish.h"
-#include "quadrature.h"
 
 #include <math.h>
 
-enum { MOST_DIRECTIONS = 64 * MURK_ORBIT, MOST_PASSES = 8 };
+enum { MOST_PASSES = 8 };
 
 /* What a correction leaves of the error before another has told: measured 0.03 ... 0.15. */
 static const double CONTRACTION = 0.2;
 /* Passes that contract less than this are given up. */
 static const double SLOWEST = 0.9;
-/* The part of the tolerance that directions and sources within zones may use up together, and the
-   least that is left to directions. */
-static const double ANGULAR = 0.85, LEAST_ANGULAR = 0.3;
-/* Tolerances from here on begin with fewer directions. */
-static const double LOOSE = 0.03;
 
 struct murk_levels {
     murk_context *context;
@@ -50,29 +44,9 @@ struct murk_levels {
 
 /* ---- directions ---------------------------------------------------------------------------- */
 
-static double angular_goal(const murk_levels *levels)
+static double goal_of(const murk_levels *levels)
 {
-    double tolerance = levels->options->tolerance;
-    return fmax(ANGULAR * tolerance - levels->spatial, LEAST_ANGULAR * tolerance);
-}
-
-/* Independent quadratures of n and N directions differ by c sqrt(1/n + 1/N), and the error of N is
-   c / sqrt(N). Gives c from the change from `last` directions to `now`. */
-static double angular_scale(double change, int last, int now)
-{
-    return change / sqrt(1.0 / last + 1.0 / now);
-}
-
-/* How many directions the tolerance needs, from those that the last probe had. Where the light is
-   smooth the error falls faster than the root: no leaps, and fewer only where little is asked. */
-static int needed_directions(const murk_levels *levels, double c, int now)
-{
-    double goal = angular_goal(levels), needed = pow(c / goal, 2);
-    if (c / sqrt(now) <= goal)
-        needed = fmax(needed, levels->options->tolerance < LOOSE ? now : 0.5 * now);
-    else
-        needed = fmin(fmin(2.0 * now, fmax(needed, 1.5 * now)), MOST_DIRECTIONS);
-    return (int)ceil(needed / MURK_ORBIT) * MURK_ORBIT;
+    return murk_angular_goal(levels->options->tolerance, levels->spatial);
 }
 
 /* Sets the estimates for levels->directions. What other lines change of the residual of 48
@@ -92,7 +66,7 @@ murk_status murk_levels_probe(murk_levels *levels, int directions, int rays)
                                            0.1 * levels->options->tolerance, &found);
     if (status)
         return status;
-    levels->scale = angular_scale(found.change, last, directions);
+    levels->scale = murk_angular_scale(found.change, last, directions);
     if (!levels->last)
         levels->amplification = found.residual > 0 ? found.change / found.residual : 0;
     levels->diffuse = found.diffuse;
@@ -105,7 +79,7 @@ murk_status murk_levels_probe(murk_levels *levels, int directions, int rays)
 static murk_status choose_directions(murk_levels *levels)
 {
     const murk_solve_options *o = levels->options;
-    int probe = (o->tolerance < LOOSE ? 4 : 2) * MURK_ORBIT;
+    int probe = (o->tolerance < MURK_LOOSE ? 4 : 2) * MURK_ORBIT;
     /* A number that is asked for is reached over half of it: the difference of two fine quadratures
        tells more about the error than that to the coarse one. */
     int asked = (o->directions + MURK_ORBIT - 1) / MURK_ORBIT * MURK_ORBIT;
@@ -117,7 +91,9 @@ static murk_status choose_directions(murk_levels *levels)
             status = murk_levels_probe(levels, levels->directions, o->rays);
         if (status)
             return status;
-        levels->directions = asked ? asked : needed_directions(levels, levels->scale, levels->last);
+        levels->directions =
+            asked ? asked
+                  : murk_angular_needed(o->tolerance, goal_of(levels), levels->scale, levels->last);
         estimate_angular(levels, levels->scale);
         if (levels->directions <= levels->last || asked || !levels->coarse.shift)
             return MURK_OK;
@@ -125,125 +101,6 @@ static murk_status choose_directions(murk_levels *levels)
 }
 
 /* ---- passes on the zones themselves -------------------------------------------------------- */
-
-/* What the correction brings about: G/4 on the coarse zones stands in place of r. */
-typedef struct murk_spread {
-    float *slope; /* of G/4 */
-    float *patch; /* H */
-    double net_power;
-} murk_spread;
-
-/* Sums of kappa_t over the coarse zones. */
-struct defect {
-    double left; /* of r - L d: what emission and incidence differ by from absorption and escape */
-    double leak; /* of L 1 */
-};
-
-static struct defect find_defect(const murk_coarse *coarse, const float *net, const float *net_one)
-{
-    const murk_medium *medium = coarse->medium;
-    struct defect sum = {0};
-    for (size_t i = 0; i < coarse->system.slots; i++) {
-        double kappa_t = medium->kappa_t[i], albedo = murk_value(&medium->albedo, i);
-        if (!(kappa_t > 0))
-            continue;
-        sum.left +=
-            kappa_t * (coarse->r.zone[i] + albedo * net[i] - (1 - albedo) * coarse->d.zone[i]);
-        sum.leak += kappa_t * (1 - albedo - albedo * net_one[i]);
-    }
-    return sum;
-}
-
-/* Lets the coarse lines carry d, plus the constant that makes the energies balance (coarse-mesh
-   rebalance with one cell). */
-static murk_status spread_correction(murk_levels *levels, murk_spread *out)
-{
-    murk_coarse *coarse = &levels->coarse;
-    const size_t slots = coarse->system.slots, patches = coarse->system.patches;
-    const size_t slopes = coarse->system.slopes;
-    bool ground = levels->solution->ground;
-    murk_status status = MURK_OK;
-    float *one = murk_alloc(slots, sizeof *one), *net_one = murk_alloc(slots, sizeof *net_one);
-    float *net = murk_alloc(slots, sizeof *net),
-          *patch_one = murk_alloc(patches, sizeof *patch_one);
-    float *slope_one = murk_alloc(slopes, sizeof *slope_one);
-    if (!one || !net_one || !net || !patch_one || !slope_one)
-        status = murk_fail(levels->context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
-                           coarse->medium->grid->zone_count);
-    for (size_t i = 0; !status && i < slots; i++)
-        one[i] = coarse->medium->kappa_t[i] > 0;
-    const murk_radiosity in[2] = {{.zone = coarse->d.zone,
-                                   .slope = coarse->d.slope,
-                                   .patch = ground ? coarse->d.patch : NULL},
-                                  {.zone = one}};
-    murk_incident arrived[2] = {
-        {.zone = net, .slope = out->slope, .patch = ground ? out->patch : NULL},
-        {.zone = net_one, .slope = slope_one, .patch = ground ? patch_one : NULL}};
-    if (!status)
-        status = murk_lines_apply(levels->context, coarse->lines, in, arrived, 2);
-    if (!status) {
-        struct defect defect = find_defect(coarse, net, net_one);
-        bool mend = !levels->region.limited && defect.leak > 0;
-        float add = mend ? (float)(defect.left / defect.leak) : 0;
-        for (size_t i = 0; i < slots; i++)
-            coarse->r.zone[i] = coarse->medium->kappa_t[i] > 0
-                                    ? net[i] + coarse->d.zone[i] + add * (net_one[i] + 1)
-                                    : 0;
-        for (size_t j = 0; j < slopes; j++)
-            out->slope[j] += coarse->d.slope[j] + add * slope_one[j];
-        for (size_t i = 0; i < patches; i++)
-            out->patch[i] += add * patch_one[i];
-        out->net_power = arrived[0].net_power + add * arrived[1].net_power;
-    }
-    murk_free(one);
-    murk_free(net_one);
-    murk_free(net);
-    murk_free(patch_one);
-    murk_free(slope_one);
-    return status;
-}
-
-/* Adds the correction to the light of the zones, and to that of the margin in proportion. */
-static void add_correction(murk_levels *levels)
-{
-    const murk_coarse *coarse = &levels->coarse;
-    const murk_medium *medium = levels->solution->medium;
-    const murk_stage *stage = levels->stage;
-    const murk_grid *grid = levels->solution->grid;
-    double all_added = 0, all_light = 0;
-    float *ratio = murk_alloc(grid->brick_count, sizeof *ratio);
-#pragma omp parallel for num_threads(levels->context->threads) schedule(static)                    \
-    reduction(+ : all_added, all_light)
-    for (size_t b = 0; b < medium->grid->brick_count; b++) {
-        size_t slots[MURK_BRICK_SLOTS], i = b * MURK_BRICK_SLOTS, o = murk_stage_slots(stage, b);
-        double added = 0, light = 0;
-        if (!murk_region_has(&levels->region, medium->grid->brick[b]))
-            continue; /* net does not hold there */
-        murk_coarse_slots(medium->grid, coarse->medium->grid, coarse->shift, b, slots);
-        for (size_t s = 0; s < MURK_BRICK_SLOTS; s++) {
-            float kappa_t = medium->kappa_t[i + s];
-            if (!(kappa_t > 0))
-                continue;
-            float more = coarse->r.zone[slots[s]];
-            light += kappa_t * (levels->net[o + s] + levels->solution->radiosity[o + s]);
-            added += kappa_t * more;
-            levels->net[o + s] += more;
-        }
-        if (ratio)
-            ratio[stage->map[b]] = light > 0 ? (float)(added / light) : 0;
-        all_added += added;
-        all_light += light;
-    }
-    float mean = all_light > 0 ? (float)(all_added / all_light) : 0;
-#pragma omp parallel for num_threads(levels->context->threads) schedule(static)
-    for (size_t b = 0; b < grid->brick_count; b++) {
-        float r = ratio && ratio[b] != 0 && fabsf(ratio[b]) < 0.5f ? ratio[b] : mean;
-        for (size_t o = b * MURK_BRICK_SLOTS; o < (b + 1) * MURK_BRICK_SLOTS; o++)
-            if (!(stage->kappa_t[o] > 0))
-                levels->net[o] += r * (levels->net[o] + levels->solution->radiosity[o]);
-    }
-    murk_free(ratio);
-}
 
 /* One residual on the zones themselves, its correction, and the solution from both. */
 static murk_status pass(murk_levels *levels, double *change)
@@ -266,14 +123,13 @@ static murk_status pass(murk_levels *levels, double *change)
     double left = sqrt(murk_vector_norm2(&coarse->system, &coarse->r));
     solution->report.residual = size > 0 ? left / size : 0;
     status = murk_coarse_correct(coarse, 0.05 * levels->options->tolerance * size);
-    murk_spread spread = {.slope = murk_alloc(coarse->system.slopes, sizeof(float)),
-                          .patch = murk_alloc(coarse->system.patches, sizeof(float))};
-    if (!status && (!spread.slope || !spread.patch))
-        status = murk_fail(levels->context, MURK_ERROR_MEMORY, "out of memory for the ground");
+    murk_correction spread;
+    murk_status made = murk_correction_create(coarse, &spread);
+    status = status ? status : made;
     if (!status && !murk_vector_zero(&coarse->system, &coarse->r))
-        status = spread_correction(levels, &spread);
+        status = murk_correction_spread(coarse, !levels->region.limited, &spread);
     if (!status) {
-        add_correction(levels);
+        murk_correction_add(coarse, &levels->region, levels->net);
         for (size_t i = 0; i < coarse->system.patches; i++)
             levels->incident[i] += spread.patch[i];
         for (size_t j = 0; j < coarse->system.slopes; j++) {
@@ -298,8 +154,7 @@ static murk_status pass(murk_levels *levels, double *change)
                     coarse->x.zone[b * 512 + q] =
                         solution->radiosity[murk_stage_slots(levels->stage, b) + q];
     }
-    murk_free(spread.slope);
-    murk_free(spread.patch);
+    murk_correction_clear(&spread);
     return status;
 }
 
@@ -357,12 +212,12 @@ static murk_status finish(murk_levels *levels)
         if (status || levels->coarse.shift || levels->directions <= levels->last)
             return status;
         int now = levels->directions;
-        double c = angular_scale(levels->change, levels->last, now);
+        double c = murk_angular_scale(levels->change, levels->last, now);
         estimate_angular(levels, c);
-        if (o->directions || levels->angular <= angular_goal(levels) || now >= MOST_DIRECTIONS)
+        if (o->directions || levels->angular <= goal_of(levels) || now >= MURK_MOST_DIRECTIONS)
             return MURK_OK;
         levels->last = now;
-        levels->directions = needed_directions(levels, c, now);
+        levels->directions = murk_angular_needed(o->tolerance, goal_of(levels), c, now);
     }
     return status;
 }

@@ -200,17 +200,15 @@ static void scale_slopes(const murk_preconditioner *p, const murk_system *system
     const murk_medium *medium = p->medium;
     const float *edge = p->shape.edge;
 #pragma omp parallel for num_threads(system->context->threads) schedule(static)
-    for (size_t b = 0; b < system->slopes / MURK_BENT_SLOTS; b++)
-        for (size_t s = 0; s < MURK_BENT_SLOTS; s++) {
-            size_t i = (size_t)system->bent->brick[b] * MURK_BRICK_SLOTS + s % MURK_BRICK_SLOTS;
-            size_t j = b * MURK_BENT_SLOTS + s;
-            float albedo = murk_value(&medium->albedo, i), kappa_t = medium->kappa_t[i] + 1e-30f;
-            float leak = 1 / edge[s / MURK_BRICK_SLOTS];
-            for (int a = 0; a < 3; a++)
-                leak += 0.5f / edge[a];
-            leak /= kappa_t;
-            z[j] = albedo > 0 ? r[j] / (1 - albedo + albedo * leak / (1 + leak)) : 0;
-        }
+    for (size_t j = 0; j < system->slopes; j++) {
+        size_t i = murk_bent_slot(system->bent, j);
+        float albedo = murk_value(&medium->albedo, i), kappa_t = medium->kappa_t[i] + 1e-30f;
+        float leak = 1 / edge[j / MURK_BRICK_SLOTS % 3];
+        for (int a = 0; a < 3; a++)
+            leak += 0.5f / edge[a];
+        leak /= kappa_t;
+        z[j] = albedo > 0 ? r[j] / (1 - albedo + albedo * leak / (1 + leak)) : 0;
+    }
 }
 
 void murk_preconditioner_apply(murk_preconditioner *preconditioner, const murk_system *system,

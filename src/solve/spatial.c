@@ -16,24 +16,6 @@ double murk_spatial_flat(double depth)
     return error / (1 + error);
 }
 
-/* The slot next to one along an axis, -1 where there is no zone. */
-static int64_t beside(const murk_medium *medium, size_t slot, int axis, int step)
-{
-    static const int stride[3] = {64, 8, 1};
-    const int in[3] = {slot >> 6 & 7, slot >> 3 & 7, slot & 7};
-    int64_t to = (int64_t)slot + step * stride[axis];
-    if (in[axis] + step < 0 || in[axis] + step > 7) {
-        const int32_t *brick = medium->grid->brick[slot / MURK_BRICK_SLOTS];
-        int32_t at[3] = {brick[0], brick[1], brick[2]};
-        at[axis] += step;
-        int32_t next = murk_grid_find(medium->grid, at[0], at[1], at[2]);
-        if (next == MURK_NO_BRICK)
-            return -1;
-        to = (int64_t)next * MURK_BRICK_SLOTS + (int64_t)(slot & 511) - step * 7 * stride[axis];
-    }
-    return medium->kappa_t[to] > 0 ? to : -1;
-}
-
 static double slope_of(const murk_system *system, const murk_vector *x, size_t slot, int axis)
 {
     int32_t place = system->bent->place[slot / MURK_BRICK_SLOTS];
@@ -61,8 +43,8 @@ static struct roughness roughness_of(const murk_system *system, const murk_vecto
         if (direct->zone[i] > 0)
             sum.beam += pow(beam / direct->zone[i], 2);
         for (int side = -1; side < 2; side += 2) {
-            int64_t n = beside(medium, i, a, side);
-            if (n < 0) {
+            int64_t n = murk_grid_beside(medium->grid, i, a, side);
+            if (n < 0 || !(medium->kappa_t[n] > 0)) {
                 sum.rims += part * slope * slope;
                 continue;
             }

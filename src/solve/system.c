@@ -96,19 +96,14 @@ static double patch_weight(const murk_system *system, size_t i)
 /* The part of slopes in a product. */
 static double slope_product(const murk_system *system, const float *x, const float *y)
 {
-    const size_t bricks = system->bent ? system->bent->count : 0;
     double parts[PARTS];
-    if (!bricks)
+    if (!system->slopes)
         return 0;
 #pragma omp parallel for num_threads(system->context->threads) schedule(static)
     for (int n = 0; n < PARTS; n++) {
         double sum = 0;
-        for (size_t b = part_of(bricks, n); b < part_of(bricks, n + 1); b++)
-            for (size_t s = 0; s < MURK_BENT_SLOTS; s++) {
-                size_t i = (size_t)system->bent->brick[b] * MURK_BRICK_SLOTS + s % MURK_BRICK_SLOTS;
-                size_t j = b * MURK_BENT_SLOTS + s;
-                sum += zone_weight(system, i) * x[j] * y[j];
-            }
+        for (size_t j = part_of(system->slopes, n); j < part_of(system->slopes, n + 1); j++)
+            sum += zone_weight(system, murk_bent_slot(system->bent, j)) * x[j] * y[j];
         parts[n] = sum / 12;
     }
     return sum_of(parts);
@@ -212,23 +207,8 @@ double murk_vector_step(const murk_system *system, double a, const murk_vector *
 
 /* ---- the system ---------------------------------------------------------------------------- */
 
-/* y = (1 - albedo) x - albedo y for slopes. */
-static void take_slopes(const murk_system *system, const float *x, float *y)
-{
-    const murk_medium *medium = system->medium;
-#pragma omp parallel for num_threads(system->context->threads) schedule(static)
-    for (size_t b = 0; b < system->slopes / MURK_BENT_SLOTS; b++)
-        for (size_t s = 0; s < MURK_BENT_SLOTS; s++) {
-            size_t i = (size_t)system->bent->brick[b] * MURK_BRICK_SLOTS + s % MURK_BRICK_SLOTS;
-            size_t j = b * MURK_BENT_SLOTS + s;
-            float albedo = murk_value(&medium->albedo, i);
-            y[j] = medium->kappa_t[i] > 0 ? (1 - albedo) * x[j] - albedo * y[j] : 0;
-        }
-}
-
 murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y)
 {
-    const murk_medium *medium = system->medium;
     const bool bent = system->slopes;
     const murk_radiosity in = {.zone = x->zone,
                                .slope = bent ? x->slope : NULL,
@@ -239,13 +219,14 @@ murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_ve
     murk_status status = system->method->apply(system->context, system->state, &in, &out, 1);
     if (status)
         return status;
-#pragma omp parallel for num_threads(system->context->threads) schedule(static)
-    for (size_t i = 0; i < system->slots; i++) {
         /* The operator gives G/4 - x: the difference is exact where the two almost cancel. */
-        float albedo = murk_value(&medium->albedo, i);
-        y->zone[i] = medium->kappa_t[i] > 0 ? (1 - albedo) * x->zone[i] - albedo * y->zone[i] : 0;
-    }
-    take_slopes(system, x->slope, y->slope);
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
+    for (size_t i = 0; i < system->slots; i++)
+        y->zone[i] = -murk_system_left(system, i, 0, y->zone[i], x->zone[i]);
+#pragma omp parallel for num_threads(system->context->threads) schedule(static)
+    for (size_t j = 0; j < system->slopes; j++)
+        y->slope[j] =
+            -murk_system_left(system, murk_bent_slot(system->bent, j), 0, y->slope[j], x->slope[j]);
     for (size_t i = 0; i < system->patches; i++)
         y->patch[i] = x->patch[i] - system->ground->reflectance[i] * y->patch[i];
     return MURK_OK;
@@ -255,7 +236,6 @@ murk_status murk_system_residual(murk_system *system, const murk_vector *direct,
                                  const murk_around *around, const murk_vector *x, murk_vector *r,
                                  murk_vector *scratch, double *diffuse)
 {
-    const murk_medium *medium = system->medium;
     const bool ground = system->ground, bent = system->slopes;
     const float *patch = x && ground ? x->patch : NULL;
     const murk_radiosity in[2] = {{.zone = x ? x->zone : NULL,
@@ -277,21 +257,11 @@ murk_status murk_system_residual(murk_system *system, const murk_vector *direct,
     if (diffuse)
         *diffuse = out[1].net_power;
 #pragma omp parallel for num_threads(system->context->threads) schedule(static)
-    for (size_t i = 0; i < system->slots; i++) {
-        float albedo = murk_value(&medium->albedo, i), value = x ? x->zone[i] : 0;
-        r->zone[i] = medium->kappa_t[i] > 0
-                         ? direct->zone[i] + albedo * r->zone[i] - (1 - albedo) * value
-                         : 0;
-    }
-    for (size_t b = 0; b < system->slopes / MURK_BENT_SLOTS; b++)
-        for (size_t s = 0; s < MURK_BENT_SLOTS; s++) {
-            size_t i = (size_t)system->bent->brick[b] * MURK_BRICK_SLOTS + s % MURK_BRICK_SLOTS;
-            size_t j = b * MURK_BENT_SLOTS + s;
-            float albedo = murk_value(&medium->albedo, i), value = x ? x->slope[j] : 0;
-            r->slope[j] = medium->kappa_t[i] > 0
-                              ? direct->slope[j] + albedo * r->slope[j] - (1 - albedo) * value
-                              : 0;
-        }
+    for (size_t i = 0; i < system->slots; i++)
+        r->zone[i] = murk_system_left(system, i, direct->zone[i], r->zone[i], x ? x->zone[i] : 0);
+    for (size_t j = 0; j < system->slopes; j++)
+        r->slope[j] = murk_system_left(system, murk_bent_slot(system->bent, j), direct->slope[j],
+                                       r->slope[j], x ? x->slope[j] : 0);
     for (size_t i = 0; i < system->patches; i++)
         r->patch[i] =
             direct->patch[i] + system->ground->reflectance[i] * r->patch[i] - (x ? x->patch[i] : 0);

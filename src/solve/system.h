@@ -68,6 +68,15 @@ murk_sums murk_vector_sums(const murk_system *system, const murk_vector *r, cons
 double murk_vector_step(const murk_system *system, double a, const murk_vector *p,
                         const murk_vector *q, murk_vector *x, murk_vector *r, double *x2);
 
+/* What is left of the equation of a zone, or of one of its slopes: b - L x, of its value x, what
+   beam and emission give it, and the net G/4 - x that arrives. 0 where there is no zone. */
+static inline float murk_system_left(const murk_system *system, size_t slot, float direct,
+                                     float net, float x)
+{
+    float albedo = murk_value(&system->medium->albedo, slot);
+    return system->medium->kappa_t[slot] > 0 ? direct + albedo * net - (1 - albedo) * x : 0;
+}
+
 /* y = L x */
 murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Only compiled, as C++17: the public headers can be used from there.
+#include "murk/band.h"
+#include "murk/bands.h"
 #include "murk/exchange.h"
 #include "murk/murk.h"
 #include "murk/plot.h"

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The light that a correction of the coarse solution brings to the zones themselves. */
+#ifndef MURK_SOLVE_CORRECTION_H
+#define MURK_SOLVE_CORRECTION_H
+
+#include "coarse.h"
+
+/* What arrives of it; G/4 on the coarse zones stands in place of the coarse r. */
+typedef struct murk_correction {
+    float *slope; /* of G/4 */
+    float *patch; /* H */
+    double net_power;
+} murk_correction;
+
+/* Nothing as yet. To be cleared also where it fails. */
+murk_status murk_correction_create(const murk_coarse *coarse, murk_correction *out);
+void murk_correction_clear(murk_correction *correction);
+
+/* Lets the coarse lines carry d, plus, where it is to be mended, the constant that makes the
+   energies balance (coarse-mesh rebalance with one cell). */
+murk_status murk_correction_spread(murk_coarse *coarse, bool mend, murk_correction *out);
+
+/* Adds it to the net light of the region's zones, and to that of the margin in proportion; net is
+   on the solution's grid. */
+void murk_correction_add(const murk_coarse *coarse, const murk_region *region, float *net);
+
+#endif
