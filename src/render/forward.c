@@ -15,6 +15,10 @@ enum {
     ANGLES = 2048  /* steps of the weights' table in sin(angle/2) */
 };
 
+/* Light that is scattered by more than this cosine is spread no wider: it comes from the ground
+   that is near enough to be seen at all. */
+static const double WIDEST = 0.3;
+
 /* V is met at these scattering depths: single scattering at 0, the rest to a few per cent of V up
    to 12 where V matters. */
 static const double MET[TERMS] = {0, 2, 8};
@@ -149,24 +153,22 @@ static murk_status create_sun(murk_context *context, const murk_solution *soluti
     return status;
 }
 
-static double mean_ground(const murk_solution *solution)
+double murk_forward_spread(const murk_forward *forward, double turned)
 {
-    const murk_ground *ground = solution->ground;
-    double power = 0, area = 0;
-    for (int ib = 0; ib < ground->interior[1]; ib++)
-        for (int ia = 0; ia < ground->interior[0]; ia++) {
-            size_t patch = murk_ground_interior(ground, ia, ib);
-            power += solution->patch[patch] * murk_ground_area(ground, patch);
-            area += murk_ground_area(ground, patch);
-        }
-    return power / area;
+    /* Scatterings of light that is scattered at all; one after another they are one of g^n. */
+    double order = turned > 1e-6 ? turned / -expm1(-turned) : 1;
+    double g = pow(fabs(forward->asymmetry), order);
+    double cosine = fmax(g * (3 - g * g) / 2, WIDEST);
+    return sqrt(fmax(0, 1 - cosine * cosine)) / cosine;
 }
 
 murk_status murk_forward_create(murk_context *context, const murk_solution *solution,
                                 murk_forward *out)
 {
-    murk_forward forward = {.ground = solution->ground ? mean_ground(solution) : 0};
+    murk_forward forward = {.asymmetry = solution->medium->asymmetry};
     murk_status status = murk_similarity_reduce(context, solution, &forward.reduced);
+    if (!status && solution->ground)
+        status = murk_blur_create(context, solution, &forward.ground);
     if (!status)
         status = murk_march_create(context, &forward.reduced, &forward.march);
     if (!status && murk_beam_direction(solution->ground, &solution->sun, forward.travel))
@@ -182,6 +184,7 @@ void murk_forward_clear(murk_forward *forward)
 {
     murk_march_clear(&forward->march);
     murk_similarity_clear(&forward->reduced);
+    murk_blur_clear(&forward->ground);
     murk_free(forward->weight);
     for (int j = 0; j < TERMS; j++) {
         murk_march_clear(&forward->sun[j]);

@@ -21,6 +21,7 @@
 #ifndef MURK_RENDER_FORWARD_H
 #define MURK_RENDER_FORWARD_H
 
+#include "blur.h"
 #include "march.h"
 
 enum { MURK_FORWARD_TERMS = 3 };
@@ -28,7 +29,8 @@ enum { MURK_FORWARD_TERMS = 3 };
 typedef struct murk_forward {
     murk_solution reduced; /* no medium: scattering is isotropic, and nothing else is set */
     murk_march march;      /* of B' */
-    double ground;         /* mean radiosity of the patches within the extent, pi L_b */
+    murk_blur ground;      /* for L_b */
+    double asymmetry;
 
     /* Sunlight scattered once, and where; no weights: no sun. */
     double (*weight)[MURK_FORWARD_TERMS]; /* a_j by the angle, see forward.c */
@@ -36,6 +38,10 @@ typedef struct murk_forward {
     murk_march sun[MURK_FORWARD_TERMS];
     double travel[3];
 } murk_forward;
+
+/* The tangent of the angle within which half of the light is scattered that counts as not scattered
+   in the reduced medium; turned: the optical depth of that, t - t'. */
+double murk_forward_spread(const murk_forward *forward, double turned);
 
 /* What a packet meets in those media. */
 typedef struct murk_forwarded {

@@ -191,21 +191,24 @@ static bool march_glow(const murk_shot *shot, const int32_t *brick, size_t count
     return true;
 }
 
-/* pi times the radiance that lies behind the medium, on average: of the sky, or the ground. */
-static void average_behind(const murk_shot *shot, const beam *rays, double behind[MURK_LANES])
+/* pi times the radiance that lies behind the medium about each ray: of the sky, or of the ground,
+   as far around as light is turned aside half way through the medium. */
+static void look_around(const murk_shot *shot, const beam *rays, const murk_packet *packet,
+                        const murk_forwarded *passed, const murk_trace *trace,
+                        double behind[MURK_LANES])
 {
+    const murk_forward *forward = &shot->peaked;
     const murk_ground *ground = shot->solution->ground;
     int a = ground ? murk_ground_axis_a(ground) : 0, b = ground ? murk_ground_axis_b(ground) : 0;
     for (int l = 0; l < MURK_LANES; l++) {
         double t = rays->t_ground[l];
         behind[l] = M_PI * shot->solution->sky_radiance;
-        if (!(t < MURK_FOREVER))
-            continue;
-        bool any =
-            ground->horizon ||
-            (murk_ground_column_at(ground, 0, shot->view.eye[a] + t * rays->direction[a][l]) >= 0 &&
-             murk_ground_column_at(ground, 1, shot->view.eye[b] + t * rays->direction[b][l]) >= 0);
-        behind[l] = any ? shot->peaked.ground : 0;
+        if (t < MURK_FOREVER && packet->depth[l] > 0)
+            behind[l] =
+                murk_blur_mean(&forward->ground, shot->view.eye[a] + t * rays->direction[a][l],
+                               shot->view.eye[b] + t * rays->direction[b][l],
+                               murk_forward_spread(forward, packet->depth[l] - passed->depth[l]) *
+                                   fmax(t - murk_trace_half(trace, l, packet->depth[l]), 1e-6 * t));
     }
 }
 
@@ -232,7 +235,7 @@ bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace
                 return false;
             if (forward) {
                 double average[MURK_LANES];
-                average_behind(shot, &rays, average);
+                look_around(shot, &rays, &packet, &passed, trace, average);
                 murk_forward_light(&shot->peaked, &passed, rays.direction, average, &packet);
             }
             look_behind(shot, &rays, &packet, behind);
