@@ -15,9 +15,9 @@ enum {
     ANGLES = 2048  /* steps of the weights' table in sin(angle/2) */
 };
 
-/* Light that is scattered by more than this cosine is spread no wider: it comes from the ground
-   that is near enough to be seen at all. */
-static const double WIDEST = 0.3;
+/* The cosine of the widest spread of light from the ground, as it fits the Monte Carlo: what is
+   scattered farther aside mostly comes from elsewhere. */
+static const double WIDEST = 0.7;
 
 /* V is met at these scattering depths: single scattering at 0, the rest to a few per cent of V up
    to 12 where V matters. */
