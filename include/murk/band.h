@@ -15,6 +15,10 @@ extern "C" {
 /** Whether 0 < wavelength[0] <= wavelength[1], both finite. */
 MURK_API bool murk_band_valid(const murk_band *band);
 
+/** Whether a text can name a band: 1 to MURK_BAND_NAME_MAX letters, digits, _ and -. */
+MURK_API bool murk_band_name_valid(const char *name);
+enum { MURK_BAND_NAME_MAX = 39 };
+
 /**
  * Planck's radiance of a black body, integrated over the band [W/m^2/sr], or [W/m^2/sr/um] at one
  * wavelength: 2 k^4 T^4 / (h^3 c^2) times the integral of x^3 / (e^x - 1) over x = h c / (lambda k

@@ -553,6 +553,14 @@ MURK_API murk_status murk_image_write(murk_context *context, const murk_image *i
  *  unknown format, folder that is not there or cannot be written. To be asked before long work. */
 MURK_API murk_status murk_output_check(murk_context *context, const char *path);
 
+/** Writes a file of any other content, `size` bytes: beside the target, then renamed. Fails with
+ *  MURK_ERROR_IO where that is impossible. */
+MURK_API murk_status murk_file_write(murk_context *context, const char *path, const void *bytes,
+                                     size_t size);
+
+/** Fails as murk_file_write() would for this path, as far as that can be told before. */
+MURK_API murk_status murk_file_check(murk_context *context, const char *path);
+
 #ifdef __cplusplus
 }
 #endif

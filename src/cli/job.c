@@ -3,7 +3,9 @@
 
 #include "pattern.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -57,23 +59,33 @@ murk_status cli_job_start(struct cli_job *job, const struct cli_options *options
 }
 
 /* What the command line says goes before what the scene says. */
-static void apply_medium_options(const struct cli_options *options,
+static void apply_medium_options(const struct cli_options *options, const char *obscurant,
                                  struct scene_description *description)
 {
     murk_medium_options *medium = &description->medium;
     if (options->grid)
-        medium->extinction.grid = options->grid;
+        medium->extinction.grid = description->concentration.grid = options->grid;
+    if (obscurant) {
+        description->obscurant = obscurant;
+        description->mass_extinction = NAN;
+        description->albedo_named = false;
+    }
     if (!isnan(options->scale)) {
         medium->extinction.scale = options->scale;
         medium->extinction.value = MURK_FROM_GRID;
         description->mass_extinction = NAN;
         description->obscurant = NULL;
     }
+    if (!isnan(options->concentration)) {
+        description->concentration.scale = options->concentration;
+        description->has_concentration = true;
+    }
     if (options->albedo) {
         char *end;
         double value = strtod(options->albedo, &end);
         bool number = *end == '\0';
         medium->albedo = (murk_quantity){number ? NULL : options->albedo, 1.0, number ? value : 0};
+        description->albedo_named = true;
     }
     if (!isnan(options->voxel_size))
         medium->voxel_size = options->voxel_size;
@@ -84,12 +96,13 @@ static void apply_medium_options(const struct cli_options *options,
     medium->strict |= options->strict;
 }
 
-static void apply_options(const struct cli_options *options, struct scene_description *description)
+static void apply_options(const struct cli_options *options, const char *obscurant,
+                          struct scene_description *description)
 {
     murk_camera *camera = &description->camera;
-    apply_medium_options(options, description);
+    apply_medium_options(options, obscurant, description);
     for (size_t n = 0; n < description->band_count; n++)
-        apply_medium_options(options, &description->band[n]);
+        apply_medium_options(options, obscurant, &description->band[n]);
     if (!isnan(options->eye[0]))
         memcpy(camera->eye, options->eye, sizeof camera->eye);
     if (!isnan(options->target[0]))
@@ -141,14 +154,24 @@ murk_status cli_job_describe(struct cli_job *job)
     const char *input = job->options->input;
     char message[SCENE_MESSAGE_SIZE] = "";
     murk_status status = MURK_OK;
+    if (!strcmp(job->command, "contrast"))
+        return MURK_OK;
     if (cli_has_extension(input, ".json"))
         status = scene_parse(input, &job->description, message);
     else
         scene_describe_volume(input, &job->description);
+    if (status == MURK_OK && job->options->bands)
+        status = scene_choose_bands(&job->description, job->options->bands, message);
+    if (status == MURK_OK && job->options->obscurant && !job->obscurant &&
+        !(job->obscurant = realpath(job->options->obscurant, NULL))) {
+        snprintf(message, sizeof message, "--obscurant %s: cannot read: %s",
+                 job->options->obscurant, strerror(errno));
+        status = MURK_ERROR_INPUT;
+    }
     if (status != MURK_OK)
         cli_error(&job->terminal, "%s", message);
     else
-        apply_options(job->options, &job->description);
+        apply_options(job->options, job->obscurant, &job->description);
     return status == MURK_OK && job->frame ? name_frame_files(job) : status;
 }
 
@@ -162,6 +185,14 @@ murk_status cli_job_read(struct cli_job *job)
     return status;
 }
 
+static bool has_mass(const struct scene *scene)
+{
+    for (size_t n = 0; n < scene->band_count; n++)
+        if (scene->band[n].mass_extinction > 0)
+            return true;
+    return false;
+}
+
 murk_status cli_job_build(struct cli_job *job)
 {
     char message[SCENE_MESSAGE_SIZE] = "";
@@ -169,6 +200,10 @@ murk_status cli_job_build(struct cli_job *job)
     murk_status status = scene_build(job->context, &job->description, &job->scene, message);
     if (status != MURK_OK) {
         cli_error(&job->terminal, "%s", message);
+    } else if (!isnan(job->options->concentration) && !has_mass(&job->scene)) {
+        cli_error(&job->terminal, "--concentration: the scene has no mass extinction coefficients; "
+                                  "--scale sets the extinction");
+        status = MURK_ERROR_INPUT;
     } else if (job->options->ground_radiosity && !job->scene.band[0].ground) {
         cli_error(&job->terminal, "--ground-radiosity: the scene has no ground");
         status = MURK_ERROR_INPUT;
@@ -200,6 +235,15 @@ murk_status cli_job_solve(struct cli_job *job)
     release_solutions(job->start);
     cli_terminal_clear(&job->terminal);
     return cli_job_fail(job, worst);
+}
+
+bool cli_job_chose_scale(const struct cli_job *job, murk_medium_info *info)
+{
+    const struct scene_description *first =
+        job->description.band_count ? job->description.band : &job->description;
+    const struct scene_band *band = &job->scene.band[0];
+    return first->medium.extinction.scale == 0.0 && !(band->mass_extinction > 0.0) &&
+           murk_medium_info_get(band->medium, info) == MURK_OK && info->extinction_scale > 0.0;
 }
 
 const murk_report *cli_job_report(const struct cli_job *job)
@@ -272,5 +316,6 @@ int cli_job_end(struct cli_job *job, murk_status status)
     cli_job_next(job, status);
     release_solutions(job->start);
     murk_context_release(job->context);
+    free(job->obscurant);
     return cli_exit_status(status);
 }

@@ -55,20 +55,13 @@ static const murk_band_view *massive(const murk_band_view *views, size_t count)
     return NULL;
 }
 
-static bool is_name(const char *name)
-{
-    static const char SIGNS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
-    size_t length = name ? strlen(name) : 0;
-    return length > 0 && length < NAME_SIZE / 2 && strspn(name, SIGNS) == length;
-}
-
 static murk_status check_names(murk_context *context, const murk_band_view *views, size_t count)
 {
     for (size_t n = 0; n < count; n++) {
-        if (!is_name(views[n].name))
+        if (!views[n].name || !murk_band_name_valid(views[n].name))
             return murk_fail(context, MURK_ERROR_INPUT,
-                             "band \"%s\": a name has letters, digits, _ and -, 39 at most",
-                             views[n].name ? views[n].name : "");
+                             "band \"%s\": a name has letters, digits, _ and -, %d at most",
+                             views[n].name ? views[n].name : "", MURK_BAND_NAME_MAX);
         for (size_t m = 0; m < n; m++)
             if (!strcmp(views[m].name, views[n].name))
                 return murk_fail(context, MURK_ERROR_INPUT, "band %s: there are two of that name",

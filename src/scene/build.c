@@ -35,7 +35,10 @@ murk_status scene_pass_on(murk_context *context, murk_status status,
 murk_status scene_refuse(const struct scene_description *description, const char *key,
                          const char *text, char message[SCENE_MESSAGE_SIZE])
 {
-    write_place(description, key, text, message);
+    if (description->path)
+        write_place(description, key, text, message);
+    else
+        snprintf(message, SCENE_MESSAGE_SIZE, "%s: %s", key, text);
     return MURK_ERROR_INPUT;
 }
 
@@ -112,12 +115,25 @@ static murk_status build_band(murk_context *context, const struct scene_descript
     return status;
 }
 
+static bool needs_bands(const struct scene_description *description)
+{
+    return description->medium.temperature.grid || description->medium.temperature.value > 0.0 ||
+           !isnan(description->sun_temperature) || !isnan(description->sky_temperature) ||
+           !isnan(description->ground_temperature) || description->temperature_image ||
+           description->obscurant;
+}
+
 murk_status scene_build(murk_context *context, struct scene_description *description,
                         struct scene *scene, char message[SCENE_MESSAGE_SIZE])
 {
     struct scene_description *bands;
     murk_status status = MURK_OK;
     bool lit = false;
+    if (!description->band_count && needs_bands(description))
+        return scene_refuse(description, "bands",
+                            "temperatures and obscurants need bands to act in: [{\"name\": "
+                            "\"LWIR\", \"wavelength\": [8e-6, 12e-6]}]",
+                            message);
     scene->band_count = scene_bands(description, &bands);
     for (size_t n = 0; n < scene->band_count; n++)
         lit = lit || scene_has_light(&bands[n]);

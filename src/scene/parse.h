@@ -24,6 +24,9 @@ scene_read_fn scene_read_extinction, scene_read_mass_extinction;
 scene_read_fn scene_read_voxels; /* bool: corner */
 scene_read_fn scene_skip;        /* is read by others */
 
+/* Sets the wavelengths of a band whose name says where it is; false for any other. */
+bool scene_known_band(const char *name, murk_band *out);
+
 /* The bands of the scene that root is, after everything else. */
 bool scene_read_bands(struct scene_reader *reader, const json_t *root,
                       struct scene_description *description);

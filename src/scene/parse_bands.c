@@ -6,15 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bands whose names say where they are [m]. */
-static const struct {
-    const char *name;
-    double from, to;
-} KNOWN[] = {
-    {"B", 0.4e-6, 0.5e-6},  {"G", 0.5e-6, 0.6e-6}, {"R", 0.6e-6, 0.7e-6}, {"NIR", 0.75e-6, 1.4e-6},
-    {"SWIR", 1.4e-6, 3e-6}, {"MWIR", 3e-6, 5e-6},  {"LWIR", 8e-6, 12e-6},
-};
-
 bool scene_skip(struct scene_reader *reader, const json_t *value, void *field,
                 const struct scene_key *key)
 {
@@ -58,8 +49,10 @@ static bool read_band(struct scene_reader *reader, const json_t *value,
     if (json_object_get(value, "extinction") && json_object_get(value, "mass_extinction"))
         return scene_fail(reader, "takes one of \"extinction\" and \"mass_extinction\"");
     /* What the band gives goes in place of what the scene gives, whole. */
-    if (json_object_get(value, "albedo"))
+    if (json_object_get(value, "albedo")) {
         band->medium.albedo = (murk_quantity){NULL, 1.0, 0.0};
+        band->albedo_named = true;
+    }
     if (json_object_get(value, "emission"))
         band->medium.emission = (murk_quantity){NULL, 1.0, 0.0};
     const json_t *ground = json_object_get(value, "ground");
@@ -79,9 +72,11 @@ static bool complete(struct scene_reader *reader, struct scene_description *band
 {
     if (!band->name)
         return scene_fail(reader, "has no \"name\": {\"name\": \"LWIR\"} is the least");
-    for (size_t i = 0; i < COUNT(KNOWN) && !murk_band_valid(&band->wavelength); i++)
-        if (!strcmp(band->name, KNOWN[i].name))
-            band->wavelength = (murk_band){{KNOWN[i].from, KNOWN[i].to}};
+    if (!murk_band_name_valid(band->name))
+        return scene_fail(reader, "\"%s\": a name has letters, digits, _ and -, %d at most",
+                          band->name, MURK_BAND_NAME_MAX);
+    if (!murk_band_valid(&band->wavelength))
+        scene_known_band(band->name, &band->wavelength);
     if (!murk_band_valid(&band->wavelength))
         return scene_fail(
             reader, "needs a \"wavelength\": only R, G, B, NIR, SWIR, MWIR and LWIR are known "
@@ -90,24 +85,12 @@ static bool complete(struct scene_reader *reader, struct scene_description *band
     return true;
 }
 
-static bool needs_bands(const struct scene_description *description)
-{
-    return description->medium.temperature.grid || description->medium.temperature.value > 0.0 ||
-           !isnan(description->sun_temperature) || !isnan(description->sky_temperature) ||
-           !isnan(description->ground_temperature) || description->temperature_image ||
-           description->obscurant;
-}
-
 bool scene_read_bands(struct scene_reader *reader, const json_t *root,
                       struct scene_description *description)
 {
     const json_t *bands = json_object_get(root, "bands");
-    if (!bands || json_is_null(bands)) {
-        if (needs_bands(description))
-            return scene_fail(reader, "temperatures and obscurants need \"bands\" to act in: "
-                                      "[{\"name\": \"LWIR\", \"wavelength\": [8e-6, 12e-6]}]");
+    if (!bands || json_is_null(bands))
         return true;
-    }
     size_t count = json_array_size(bands);
     snprintf(reader->path, sizeof reader->path, "bands");
     if (!json_is_array(bands) || count < 1 || count > SCENE_BANDS_MAX)

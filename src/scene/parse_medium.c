@@ -73,5 +73,7 @@ bool scene_read_medium(struct scene_reader *reader, const json_t *value, void *f
     if (given > 1)
         return scene_fail(reader,
                           "takes one of \"extinction\", \"mass_extinction\" and \"obscurant\"");
+    struct scene_description *description = field;
+    description->albedo_named = json_object_get(value, "albedo") != NULL;
     return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
 }

@@ -23,7 +23,8 @@ struct scene_description {
     murk_quantity concentration; /* of the obscurant [g/m^3] */
     bool has_concentration;
     double mass_extinction; /* [m^2/g]; open: kappa_t is medium.extinction */
-    const char *obscurant;  /* a file of such values, or NULL */
+    const char *obscurant;  /* a file of such values, of albedo and asymmetry, or NULL */
+    bool albedo_named;      /* goes before that of the obscurant */
     bool sun_named, sky_named, ground_named;
     murk_sun sun;
     double sky_radiance;
@@ -75,6 +76,11 @@ void scene_description_release(struct scene_description *description);
 /* Most files that one description names: the medium, the background, and images and obscurants of
    the scene and each band. */
 enum { SCENE_FILE_MAX = 2 + 4 * (1 + SCENE_BANDS_MAX) };
+
+/* Leaves the bands of a list "R,LWIR" alone, in its order. Where there are none, makes them, of the
+   names that say where they are. With one line in message where a band is unknown. */
+murk_status scene_choose_bands(struct scene_description *description, const char *list,
+                               char message[SCENE_MESSAGE_SIZE]);
 
 /* The descriptions of the bands, or of the scene that has none; gives their number. */
 size_t scene_bands(struct scene_description *description, struct scene_description **bands);

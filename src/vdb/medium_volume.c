@@ -126,7 +126,7 @@ static murk_status take_extinction(assembly *a)
 {
     murk_bricks *bricks = &a->parts.kappa_t;
     const murk_quantity *quantity = &a->options->extinction;
-    murk_status status = murk_vdb_bricks(a->context, a->volume->vdb, a->extinction, bricks);
+    murk_status status = murk_vdb_bricks(a->context, a->volume->vdb, a->extinction, 0, bricks);
     if (status)
         return status;
     override_voxel_size(a, bricks);
@@ -155,7 +155,7 @@ static murk_status take_quantity(assembly *a, const murk_quantity *quantity, con
     if (!status)
         status = check_transforms(a, index, name);
     if (!status)
-        status = murk_vdb_bricks(a->context, a->volume->vdb, index, bricks);
+        status = murk_vdb_bricks(a->context, a->volume->vdb, index, 0, bricks);
     if (status)
         return status;
     override_voxel_size(a, bricks);

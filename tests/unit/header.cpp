@@ -2,7 +2,9 @@
 // Only compiled, as C++17: the public headers can be used from there.
 #include "murk/band.h"
 #include "murk/bands.h"
+#include "murk/contrast.h"
 #include "murk/exchange.h"
+#include "murk/false_color.h"
 #include "murk/murk.h"
 #include "murk/plot.h"
 
