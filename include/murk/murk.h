@@ -176,7 +176,12 @@ typedef struct murk_medium_options {
      *  temperature_offset; 0: none. */
     murk_quantity temperature;
     double temperature_offset;
-    murk_band band;    /**< that temperatures radiate in */
+    murk_band band; /**< that temperatures radiate in */
+    /** g, the mean cosine of the angle by which light is scattered, in (-1, 1); the phase function
+     *  is that of Henyey and Greenstein. 0: isotropic. Solutions of other g are those of the
+     *  similar medium that scatters isotropically, with kappa_s (1 - g); pictures show sunlight
+     *  that is scattered once by the phase function itself. */
+    double asymmetry;
     bool corner;       /**< voxel (i,j,k) covers [i, i+1] x ... instead of [i - 1/2, i + 1/2] */
     bool strict;       /**< NaN, infinite, negative values are an error, not empty */
     double voxel_size; /**< > 0 overrides the file's voxel size [m] (all three axes by ratio) */
@@ -186,7 +191,8 @@ typedef struct murk_medium_options {
     {                                                                                              \
         .extinction = {NULL, 0.0, MURK_FROM_GRID}, .albedo = {NULL, 1.0, 0.9},                     \
         .emission = {NULL, 1.0, 0.0}, .temperature = {NULL, 1.0, 0.0}, .temperature_offset = 0.0,  \
-        .band = {{0.0, 0.0}}, .corner = false, .strict = false, .voxel_size = 0.0                  \
+        .band = {{0.0, 0.0}}, .asymmetry = 0.0, .corner = false, .strict = false,                  \
+        .voxel_size = 0.0                                                                          \
     }
 
 /**
@@ -209,6 +215,7 @@ typedef struct murk_array {
     const float *albedo;   /**< NULL: albedo_value */
     const float *emission; /**< W/m^2; NULL: emission_value */
     double kappa_t_value, albedo_value, emission_value;
+    double asymmetry; /**< as in murk_medium_options */
 } murk_array;
 
 /** Builds a medium from arrays in memory. Fails like murk_medium_from_volume(). */
@@ -227,6 +234,7 @@ typedef struct murk_brick_array {
     const float *albedo;   /**< NULL: albedo_value */
     const float *emission; /**< W/m^2; NULL: emission_value */
     double albedo_value, emission_value;
+    double asymmetry; /**< as in murk_medium_options */
 } murk_brick_array;
 
 /** Builds a medium from bricks in memory: the way in for sparse media of other programs. Fails like

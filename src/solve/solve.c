@@ -3,6 +3,7 @@
 
 #include "levels.h"
 #include "multiplications.h"
+#include "similarity.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -55,21 +56,14 @@ static void note_skipped(murk_context *context, const murk_scene *scene, const m
                   iterates ? "" : " iteration;");
 }
 
-murk_status murk_solve(murk_context *context, const murk_scene *scene,
-                       const murk_solve_options *options, murk_solution **out)
+static murk_status solve(murk_context *context, const murk_scene *scene,
+                         const murk_solve_options *options, murk_solution **out)
 {
-    const murk_solve_options defaults = MURK_SOLVE_DEFAULT;
-    murk_solve_options o = options ? *options : defaults;
-    o.max_iterations = o.max_iterations > 0 ? o.max_iterations : 1000;
-    o.rays = o.rays > 0 ? o.rays : 1;
-    murk_status status = check(context, &o);
-    if (status)
-        return status;
-
+    const murk_solve_options o = *options;
     double start = murk_seconds();
     murk_solution *solution = NULL;
     murk_stage stage = {0};
-    status = murk_solution_create(context, scene, 0, &solution);
+    murk_status status = murk_solution_create(context, scene, 0, &solution);
     if (status)
         return status;
     murk_report *report = &solution->report;
@@ -104,4 +98,46 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
                   (unsigned long long)report->lamps);
     *out = solution;
     return status;
+}
+
+/* Solves the reduced medium; what the iteration starts from is likewise that of the reduced one. */
+static murk_status solve_reduced(murk_context *context, const murk_scene *scene,
+                                 const murk_solve_options *options, murk_solution **out)
+{
+    murk_scene similar = *scene;
+    murk_solve_options o = *options;
+    murk_solution start = {0}, *solution = NULL;
+    murk_medium *medium = NULL;
+    bool forward = o.start && o.start->medium->asymmetry != 0;
+    murk_status status =
+        murk_medium_reduce(context, scene->medium, scene->medium->asymmetry, &medium);
+    if (!status && forward)
+        status = murk_similarity_reduce(context, o.start, &start);
+    if (!status) {
+        similar.medium = medium;
+        o.start = forward ? &start : o.start;
+        status = solve(context, &similar, &o, &solution);
+    }
+    if (!status || status == MURK_NOT_REACHED) {
+        murk_similarity_restore(solution, scene->medium);
+        *out = solution;
+    }
+    murk_similarity_clear(&start);
+    murk_medium_release(medium);
+    return status;
+}
+
+murk_status murk_solve(murk_context *context, const murk_scene *scene,
+                       const murk_solve_options *options, murk_solution **out)
+{
+    const murk_solve_options defaults = MURK_SOLVE_DEFAULT;
+    murk_solve_options o = options ? *options : defaults;
+    o.max_iterations = o.max_iterations > 0 ? o.max_iterations : 1000;
+    o.rays = o.rays > 0 ? o.rays : 1;
+    murk_status status = check(context, &o);
+    if (status)
+        return status;
+    if (scene->medium && scene->medium->asymmetry != 0)
+        return solve_reduced(context, scene, &o, out);
+    return solve(context, scene, &o, out);
 }
