@@ -68,7 +68,7 @@ static void apply_medium_options(const struct cli_options *options, const char *
     if (obscurant) {
         description->obscurant = obscurant;
         description->mass_extinction = NAN;
-        description->albedo_named = false;
+        description->albedo_named = description->asymmetry_named = false;
     }
     if (!isnan(options->scale)) {
         medium->extinction.scale = options->scale;
