@@ -145,7 +145,7 @@ murk_status murk_solution_light_ground(murk_context *context, murk_solution *sol
     if (!solution->ground)
         return MURK_OK;
     murk_stage stage;
-    murk_status status = murk_stage_create(context, solution, INFINITY, &stage);
+    murk_status status = murk_stage_create(context, &solution, 1, INFINITY, &stage);
     if (status)
         return status;
     status = murk_stage_light_lamps(context, solution, &stage);

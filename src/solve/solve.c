@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "murk/murk.h"
+#include "murk/bands.h"
 
+#include "alike.h"
 #include "levels.h"
 #include "multiplications.h"
 
@@ -55,45 +56,56 @@ static void note_skipped(murk_context *context, const murk_scene *scene, const m
                   iterates ? "" : " iteration;");
 }
 
-murk_status murk_solve(murk_context *context, const murk_scene *scene,
-                       const murk_solve_options *options, murk_solution **out)
+/* Empty solutions for all scenes. */
+static murk_status create(murk_context *context, const murk_scene scene[], size_t count,
+                          const murk_solve_options *options, murk_solution *solution[])
 {
-    const murk_solve_options defaults = MURK_SOLVE_DEFAULT;
-    murk_solve_options o = options ? *options : defaults;
-    o.max_iterations = o.max_iterations > 0 ? o.max_iterations : 1000;
-    o.rays = o.rays > 0 ? o.rays : 1;
-    murk_status status = check(context, &o);
-    if (status)
-        return status;
+    for (size_t n = 0; n < count; n++) {
+        double start = murk_seconds();
+        murk_status status = murk_solution_create(context, &scene[n], 0, &solution[n]);
+        if (status)
+            return status;
+        murk_report *report = &solution[n]->report;
+        report->seconds_setup = murk_seconds() - start;
+        count_multiplications(report, options->window);
+        report->tolerance = options->tolerance;
+        report->reached = true;
+        report->subdivision = 1;
+    }
+    return MURK_OK;
+}
 
+static murk_status solve_pairwise(murk_context *context, murk_solution *solution,
+                                  const murk_solve_options *options)
+{
     double start = murk_seconds();
-    murk_solution *solution = NULL;
     murk_stage stage = {0};
-    status = murk_solution_create(context, scene, 0, &solution);
-    if (status)
-        return status;
-    murk_report *report = &solution->report;
-    double setup = murk_seconds();
-    report->seconds_setup = setup - start;
-    count_multiplications(report, o.window);
-    report->tolerance = o.tolerance;
-    report->reached = true;
-    murk_progress(context, "light", 0);
-    report->subdivision = 1;
-    if (o.method == MURK_PAIRWISE) {
-        status = murk_stage_create(context, solution, INFINITY, &stage);
-        report->seconds_light = murk_seconds() - setup;
-        if (!status)
-            status = murk_solve_pairwise(context, solution, &stage, &o);
-        murk_stage_clear(&stage);
-    } else {
-        status = murk_solve_lines(context, solution, &o);
+    murk_status status = murk_stage_create(context, &solution, 1, INFINITY, &stage);
+    solution->report.seconds_light = murk_seconds() - start;
+    if (!status)
+        status = murk_solve_pairwise(context, solution, &stage, options);
+    murk_stage_clear(&stage);
+    return status;
+}
+
+/* How many of the solutions, from the first on, can be found together. */
+static int count_alike(murk_context *context, murk_solution *const solution[], size_t left,
+                       const murk_solve_options *options)
+{
+    if (options->method == MURK_PAIRWISE)
+        return 1;
+    for (int n = 1; n < MURK_MOST_BANDS && (size_t)n < left; n++) {
+        const char *other = murk_solutions_differ(solution[0], solution[n]);
+        if (!other)
+            continue;
+        murk_note(context, "a scene has another %s than the one before it: solved after it", other);
+        return n;
     }
-    murk_progress(context, "solve", 1);
-    if (status && status != MURK_NOT_REACHED) {
-        murk_solution_release(solution);
-        return status;
-    }
+    return left < MURK_MOST_BANDS ? (int)left : MURK_MOST_BANDS;
+}
+
+static void note_report(murk_context *context, const murk_scene *scene, const murk_report *report)
+{
     note_skipped(context, scene, report);
     if (report->subdivision > 1)
         murk_note(context, "thick voxels: solved on %d times smaller ones each way",
@@ -102,6 +114,60 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
         murk_note(context,
                   "lamps: %llu emitters, their light gathered line of sight by line of sight",
                   (unsigned long long)report->lamps);
-    *out = solution;
+}
+
+/* Fills all solutions, those that are alike together. */
+static murk_status fill(murk_context *context, const murk_scene scene[], size_t count,
+                        const murk_solve_options *options, const murk_solution *const start[],
+                        murk_solution *const solution[])
+{
+    murk_status worst = MURK_OK;
+    for (size_t first = 0, n; first < count; first += n) {
+        n = (size_t)count_alike(context, solution + first, count - first, options);
+        murk_progress(context, "light", 0);
+        murk_status status = options->method == MURK_PAIRWISE
+                                 ? solve_pairwise(context, solution[first], options)
+                                 : murk_solve_lines(context, solution + first, (int)n, options,
+                                                    start ? start + first : NULL);
+        murk_progress(context, "solve", 1);
+        if (status && status != MURK_NOT_REACHED)
+            return status;
+        worst = status ? status : worst;
+        for (size_t i = first; i < first + n; i++)
+            note_report(context, &scene[i], &solution[i]->report);
+    }
+    return worst;
+}
+
+murk_status murk_solve_many(murk_context *context, const murk_scene scene[], size_t count,
+                            const murk_solve_options *options, const murk_solution *const start[],
+                            murk_solution *out[])
+{
+    const murk_solve_options defaults = MURK_SOLVE_DEFAULT;
+    murk_solve_options o = options ? *options : defaults;
+    o.max_iterations = o.max_iterations > 0 ? o.max_iterations : 1000;
+    o.rays = o.rays > 0 ? o.rays : 1;
+    murk_status status = check(context, &o);
+    if (status)
+        return status;
+    murk_solution **solution = murk_alloc(count, sizeof *solution);
+    if (!solution)
+        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu scenes", count);
+    status = create(context, scene, count, &o, solution);
+    if (!status)
+        status = fill(context, scene, count, &o, start, solution);
+    for (size_t n = 0; n < count; n++) {
+        if (status && status != MURK_NOT_REACHED)
+            murk_solution_release(solution[n]);
+        else
+            out[n] = solution[n];
+    }
+    murk_free(solution);
     return status;
+}
+
+murk_status murk_solve(murk_context *context, const murk_scene *scene,
+                       const murk_solve_options *options, murk_solution **out)
+{
+    return murk_solve_many(context, scene, 1, options, options ? &options->start : NULL, out);
 }

@@ -77,14 +77,29 @@ static inline float murk_system_left(const murk_system *system, size_t slot, flo
     return system->medium->kappa_t[slot] > 0 ? direct + albedo * net - (1 - albedo) * x : 0;
 }
 
-/* y = L x */
-murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y);
+/* What follows is of up to MURK_MOST_BANDS systems over one operator, which is applied to all of
+   them at once. */
 
-/* r = b - L x, where b is `direct`, the radiosities by beam and emission alone, plus what sky and
-   horizon add to them. x may be NULL for 0. Where diffuse is not NULL it is set to the power of sky
-   and ground that the medium takes, and scratch is overwritten [W]. */
-murk_status murk_system_residual(murk_system *system, const murk_vector *direct,
-                                 const murk_around *around, const murk_vector *x, murk_vector *r,
-                                 murk_vector *scratch, double *diffuse);
+typedef struct murk_application {
+    murk_system *system;
+    const murk_vector *x;
+    murk_vector *y;
+} murk_application;
+
+/* y = L x */
+murk_status murk_system_apply(const murk_application *of, int bands);
+
+typedef struct murk_residual {
+    murk_system *system;
+    const murk_vector *direct; /* radiosities by beam and emission alone */
+    const murk_around *around;
+    const murk_vector *x; /* NULL for 0 */
+    murk_vector *r;
+    murk_vector *scratch; /* overwritten; NULL: diffuse is not asked for */
+    double diffuse;       /* set to the power of sky and ground that the medium takes [W] */
+} murk_residual;
+
+/* r = b - L x, where b is `direct` plus what sky and horizon add to it. */
+murk_status murk_system_residual(murk_residual *of, int bands);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Only compiled, as C99 and C17: the public headers stand alone and keep to the language. */
 #include "murk/band.h"
+#include "murk/bands.h"
 #include "murk/exchange.h"
 #include "murk/murk.h"
 #include "murk/plot.h"
