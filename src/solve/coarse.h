@@ -10,8 +10,8 @@
 #define MURK_SOLVE_COARSE_H
 
 #include "lines.h"
+#include "residual.h"
 #include "stage.h"
-#include "system.h"
 
 typedef struct murk_coarse {
     murk_context *context;

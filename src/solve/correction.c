@@ -31,24 +31,18 @@ static struct defect find_defect(const murk_coarse *coarse, const float *net, co
 static void mend_band(const murk_coarse *coarse, const murk_correction *one, bool mend,
                       murk_correction *out)
 {
-    struct defect defect = find_defect(coarse, out->zone, one->zone);
+    struct defect defect = find_defect(coarse, out->light.zone, one->light.zone);
     float add = mend && defect.leak > 0 ? (float)(defect.left / defect.leak) : 0;
     for (size_t i = 0; i < coarse->system.slots; i++)
-        out->zone[i] = coarse->medium->kappa_t[i] > 0
-                           ? out->zone[i] + coarse->d.zone[i] + add * (one->zone[i] + 1)
-                           : 0;
+        out->light.zone[i] =
+            coarse->medium->kappa_t[i] > 0
+                ? out->light.zone[i] + coarse->d.zone[i] + add * (one->light.zone[i] + 1)
+                : 0;
     for (size_t j = 0; j < coarse->system.slopes; j++)
-        out->slope[j] += coarse->d.slope[j] + add * one->slope[j];
+        out->light.slope[j] += coarse->d.slope[j] + add * one->light.slope[j];
     for (size_t i = 0; i < coarse->system.patches; i++)
-        out->patch[i] += add * one->patch[i];
+        out->light.patch[i] += add * one->light.patch[i];
     out->net_power += add * one->net_power;
-}
-
-static murk_incident arriving_at(const murk_system *system, murk_correction *correction)
-{
-    return (murk_incident){.zone = correction->zone,
-                           .slope = correction->slope,
-                           .patch = system->ground ? correction->patch : NULL};
 }
 
 murk_status murk_correction_spread(murk_coarse *const band[], bool mend, murk_correction out[],
@@ -62,24 +56,22 @@ murk_status murk_correction_spread(murk_coarse *const band[], bool mend, murk_co
     for (int b = 0; b < count; b++) {
         if (murk_vector_zero(&band[b]->system, &band[b]->r))
             continue;
-        in[n] = (murk_radiosity){.zone = band[b]->d.zone,
-                                 .slope = band[b]->d.slope,
-                                 .patch = system->ground ? band[b]->d.patch : NULL};
-        arrived[n] = arriving_at(system, &out[b]);
+        in[n] = murk_system_sent(system, &band[b]->d);
+        arrived[n] = murk_system_arriving(system, &out[b].light);
         spread[n++] = b;
     }
     if (!n)
         return MURK_OK;
-    murk_correction of_one;
+    murk_correction of_one = {.net_power = 0};
     float *one = murk_alloc(system->slots, sizeof *one);
-    murk_status status = murk_correction_create(any, &of_one);
+    murk_status status = murk_vector_create(system, &of_one.light);
     if (!status && !one)
         status = murk_fail(any->context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
                            any->medium->grid->zone_count);
     for (size_t i = 0; !status && i < system->slots; i++)
         one[i] = any->medium->kappa_t[i] > 0;
     in[n] = (murk_radiosity){.zone = one};
-    arrived[n] = arriving_at(system, &of_one);
+    arrived[n] = murk_system_arriving(system, &of_one.light);
     if (!status)
         status = murk_apply(any->context, system->method, system->state, in, arrived, n + 1);
     of_one.net_power = arrived[n].net_power;
@@ -88,7 +80,7 @@ murk_status murk_correction_spread(murk_coarse *const band[], bool mend, murk_co
         mend_band(band[spread[i]], &of_one, mend, &out[spread[i]]);
     }
     murk_free(one);
-    murk_correction_clear(&of_one);
+    murk_vector_clear(&of_one.light);
     return status;
 }
 
@@ -113,7 +105,7 @@ void murk_correction_add(const murk_coarse *coarse, const murk_correction *corre
             float kappa_t = medium->kappa_t[i + s];
             if (!(kappa_t > 0))
                 continue;
-            float more = correction->zone[slots[s]];
+            float more = correction->light.zone[slots[s]];
             light += kappa_t * (net[o + s] + solution->radiosity[o + s]);
             added += kappa_t * more;
             net[o + s] += more;
@@ -132,22 +124,4 @@ void murk_correction_add(const murk_coarse *coarse, const murk_correction *corre
                 net[o] += r * (net[o] + solution->radiosity[o]);
     }
     murk_free(ratio);
-}
-
-murk_status murk_correction_create(const murk_coarse *coarse, murk_correction *out)
-{
-    *out = (murk_correction){.zone = murk_alloc(coarse->system.slots, sizeof(float)),
-                             .slope = murk_alloc(coarse->system.slopes, sizeof(float)),
-                             .patch = murk_alloc(coarse->system.patches, sizeof(float))};
-    return out->zone && out->slope && out->patch
-               ? MURK_OK
-               : murk_fail(coarse->context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
-                           coarse->medium->grid->zone_count);
-}
-
-void murk_correction_clear(murk_correction *correction)
-{
-    murk_free(correction->zone);
-    murk_free(correction->slope);
-    murk_free(correction->patch);
 }

@@ -8,7 +8,7 @@
 #include "lines.h"
 #include "pairwise.h"
 #include "preconditioner.h"
-#include "system.h"
+#include "residual.h"
 
 #include <math.h>
 #include <string.h>

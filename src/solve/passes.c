@@ -60,11 +60,12 @@ static double renew(const murk_levels *levels, struct murk_level_band *band, dou
     murk_solution *solution = band->solution;
     murk_correction_add(coarse, spread, &levels->region, band->net);
     for (size_t i = 0; i < coarse->system.patches; i++)
-        band->incident[i] += spread->patch[i];
+        band->incident[i] += spread->light.patch[i];
     for (size_t j = 0; j < coarse->system.slopes; j++) {
         float albedo = murk_value(&coarse->medium->albedo, murk_bent_slot(coarse->system.bent, j));
-        coarse->x.slope[j] = coarse->direct.slope[j] +
-                             albedo * (band->net_slope[j] + coarse->x.slope[j] + spread->slope[j]);
+        coarse->x.slope[j] =
+            coarse->direct.slope[j] +
+            albedo * (band->net_slope[j] + coarse->x.slope[j] + spread->light.slope[j]);
     }
     double change = murk_finish(solution, band->stage,
                                 &(murk_arrived){.net = band->net,
@@ -90,7 +91,7 @@ static murk_status pass(murk_levels *levels, struct murk_level_band *const band[
 {
     double net_power[MURK_MOST_BANDS], absolute[MURK_MOST_BANDS];
     murk_coarse *coarse[MURK_MOST_BANDS];
-    murk_correction spread[MURK_MOST_BANDS] = {{0}};
+    murk_correction spread[MURK_MOST_BANDS] = {{.net_power = 0}};
     murk_status status = carry(levels, band, count, net_power);
     if (status)
         return status;
@@ -100,13 +101,13 @@ static murk_status pass(murk_levels *levels, struct murk_level_band *const band[
     }
     status = murk_coarse_correct(coarse, absolute, count, levels->options->max_iterations);
     for (int b = 0; !status && b < count; b++)
-        status = murk_correction_create(coarse[b], &spread[b]);
+        status = murk_vector_create(&coarse[b]->system, &spread[b].light);
     if (!status)
         status = murk_correction_spread(coarse, !levels->region.limited, spread, count);
     for (int b = 0; b < count; b++) {
         if (!status)
             change[b] = renew(levels, band[b], net_power[b], &spread[b]);
-        murk_correction_clear(&spread[b]);
+        murk_vector_clear(&spread[b].light);
     }
     return status;
 }

@@ -209,20 +209,6 @@ double murk_vector_step(const murk_system *system, double a, const murk_vector *
 
 /* ---- the system ---------------------------------------------------------------------------- */
 
-static murk_radiosity sent_by(const murk_system *system, const murk_vector *x)
-{
-    return (murk_radiosity){.zone = x->zone,
-                            .slope = system->slopes ? x->slope : NULL,
-                            .patch = system->ground ? x->patch : NULL};
-}
-
-static murk_incident arriving_at(const murk_system *system, murk_vector *y)
-{
-    return (murk_incident){.zone = y->zone,
-                           .slope = system->slopes ? y->slope : NULL,
-                           .patch = system->ground ? y->patch : NULL};
-}
-
 /* From what has arrived in y to L x. The operator gives G/4 - x: the difference is exact where the
    two almost cancel. */
 static void finish_product(const murk_system *system, const murk_vector *x, murk_vector *y)
@@ -244,54 +230,11 @@ murk_status murk_system_apply(const murk_application *of, int bands)
     murk_radiosity in[MURK_MOST_BANDS] = {{0}};
     murk_incident out[MURK_MOST_BANDS];
     for (int b = 0; b < bands; b++) {
-        in[b] = sent_by(of[b].system, of[b].x);
-        out[b] = arriving_at(of[b].system, of[b].y);
+        in[b] = murk_system_sent(of[b].system, of[b].x);
+        out[b] = murk_system_arriving(of[b].system, of[b].y);
     }
     murk_status status = murk_apply(system->context, system->method, system->state, in, out, bands);
     for (int b = 0; !status && b < bands; b++)
         finish_product(of[b].system, of[b].x, of[b].y);
-    return status;
-}
-
-/* From what has arrived in r to what is left of the equations. */
-static void finish_residual(const murk_residual *of)
-{
-    const murk_system *system = of->system;
-    const murk_vector *x = of->x, *direct = of->direct, *r = of->r;
-#pragma omp parallel for num_threads(system->context->threads) schedule(static)
-    for (size_t i = 0; i < system->slots; i++)
-        r->zone[i] = murk_system_left(system, i, direct->zone[i], r->zone[i], x ? x->zone[i] : 0);
-    for (size_t j = 0; j < system->slopes; j++)
-        r->slope[j] = murk_system_left(system, murk_bent_slot(system->bent, j), direct->slope[j],
-                                       r->slope[j], x ? x->slope[j] : 0);
-    for (size_t i = 0; i < system->patches; i++)
-        r->patch[i] =
-            direct->patch[i] + system->ground->reflectance[i] * r->patch[i] - (x ? x->patch[i] : 0);
-}
-
-murk_status murk_system_residual(murk_residual *of, int bands)
-{
-    const murk_system *system = of->system;
-    murk_radiosity in[2 * MURK_MOST_BANDS] = {{0}};
-    murk_incident out[2 * MURK_MOST_BANDS];
-    int count = bands;
-    for (int b = 0; b < bands; b++) {
-        in[b] = of[b].x ? sent_by(of[b].system, of[b].x) : (murk_radiosity){0};
-        in[b].sky = of[b].around->sky;
-        in[b].horizon = of[b].around->horizon;
-        out[b] = arriving_at(of[b].system, of[b].r);
-        if (!of[b].scratch)
-            continue;
-        in[count] = in[b];
-        in[count].zone = in[count].slope = NULL;
-        out[count++] = arriving_at(of[b].system, of[b].scratch);
-    }
-    murk_status status = murk_apply(system->context, system->method, system->state, in, out, count);
-    count = bands;
-    for (int b = 0; !status && b < bands; b++) {
-        if (of[b].scratch)
-            of[b].diffuse = out[count++].net_power;
-        finish_residual(&of[b]);
-    }
     return status;
 }

@@ -39,11 +39,6 @@ typedef struct murk_system {
     murk_preconditioner *preconditioner;
 } murk_system;
 
-/* Light from sky and from the ground beyond all patches, as in murk_radiosity. */
-typedef struct murk_around {
-    double sky, horizon;
-} murk_around;
-
 murk_status murk_vector_create(const murk_system *system, murk_vector *out);
 void murk_vector_clear(murk_vector *vector);
 void murk_vector_copy(const murk_system *system, const murk_vector *from, murk_vector *to);
@@ -77,8 +72,20 @@ static inline float murk_system_left(const murk_system *system, size_t slot, flo
     return system->medium->kappa_t[slot] > 0 ? direct + albedo * net - (1 - albedo) * x : 0;
 }
 
-/* What follows is of up to MURK_MOST_BANDS systems over one operator, which is applied to all of
-   them at once. */
+/* What x sends, and where its light arrives in y, for the operator. */
+static inline murk_radiosity murk_system_sent(const murk_system *system, const murk_vector *x)
+{
+    return (murk_radiosity){.zone = x->zone,
+                            .slope = system->slopes ? x->slope : NULL,
+                            .patch = system->ground ? x->patch : NULL};
+}
+
+static inline murk_incident murk_system_arriving(const murk_system *system, const murk_vector *y)
+{
+    return (murk_incident){.zone = y->zone,
+                           .slope = system->slopes ? y->slope : NULL,
+                           .patch = system->ground ? y->patch : NULL};
+}
 
 typedef struct murk_application {
     murk_system *system;
@@ -86,20 +93,7 @@ typedef struct murk_application {
     murk_vector *y;
 } murk_application;
 
-/* y = L x */
+/* y = L x for up to MURK_MOST_BANDS systems over one operator, which is applied to all at once. */
 murk_status murk_system_apply(const murk_application *of, int bands);
-
-typedef struct murk_residual {
-    murk_system *system;
-    const murk_vector *direct; /* radiosities by beam and emission alone */
-    const murk_around *around;
-    const murk_vector *x; /* NULL for 0 */
-    murk_vector *r;
-    murk_vector *scratch; /* overwritten; NULL: diffuse is not asked for */
-    double diffuse;       /* set to the power of sky and ground that the medium takes [W] */
-} murk_residual;
-
-/* r = b - L x, where b is `direct` plus what sky and horizon add to it. */
-murk_status murk_system_residual(murk_residual *of, int bands);
 
 #endif
