@@ -16,7 +16,7 @@ extern "C" {
  * Solves scenes that differ in albedo, emission, reflectance and light alone: each as murk_solve()
  * does, but neighbours in the list whose media have the same voxels with the same extinction, and
  * whose grounds have the same patches, together: light of up to three goes along the same lines at
- * once, which is what most of the time goes into. They get the number of directions and the voxels
+ * once, which is what most of the time goes into. They get the voxels
  * of the one that needs most, and slopes where any of them does. Scenes that do not match the one
  * before them are solved after it, which the log tells; so are all by the pairwise method.
  *

@@ -34,9 +34,9 @@ const char *murk_solutions_differ(const murk_solution *a, const murk_solution *b
 {
     const murk_medium *of_a = a->medium, *of_b = b->medium;
     if (of_a != of_b && (!same_grid(of_a->grid, of_b->grid) || !same_grid(a->grid, b->grid)))
-        return "voxels";
+        return "other voxels";
     if (of_a != of_b && !same(of_a->kappa_t, of_b->kappa_t, of_a->grid->brick_count,
                               MURK_BRICK_SLOTS * sizeof(float)))
-        return "extinction";
-    return same_patches(a->ground, b->ground) ? NULL : "ground";
+        return "another extinction";
+    return same_patches(a->ground, b->ground) ? NULL : "another ground";
 }

@@ -25,7 +25,7 @@ int murk_levels_needed(const murk_levels *levels, int now)
         const struct murk_level_band *band = &levels->band[b];
         int own = murk_angular_needed(levels->options->tolerance, murk_levels_goal(levels, band),
                                       band->scale, now);
-        needed = own > needed ? own : needed;
+        needed = !band->settled && own > needed ? own : needed;
     }
     return needed;
 }
@@ -36,6 +36,9 @@ void murk_levels_estimate(murk_levels *levels)
 {
     for (int b = 0; b < levels->count; b++) {
         struct murk_level_band *band = &levels->band[b];
+        if (band->settled)
+            continue;
+        band->directions = levels->directions;
         band->angular = band->scale / sqrt(levels->directions);
         band->lattice = fmin(band->angular, band->lattice_48 * band->amplification *
                                                 sqrt(0.5 * MURK_ORBIT / levels->directions));
@@ -93,7 +96,7 @@ static void report_band(const murk_levels *levels, const struct murk_level_band 
     report->method = "lines";
     report->solver = "conjugate gradients";
     report->kernel = murk_lines_kernel(levels->lines);
-    report->directions = levels->directions;
+    report->directions = band->directions;
     report->iterations = band->coarse->iterations;
     report->crossings = traced->crossings;
     report->crossings_dark = traced->dark;

@@ -21,7 +21,9 @@ struct murk_level_band {
     double amplification; /* of residuals of the angular error in the solution */
     double angular, lattice, iteration; /* estimated relative errors */
     double spatial;                     /* the same, given */
+    int directions;                     /* that they are for */
     bool done;                          /* needs no more passes with these directions */
+    bool settled;                       /* needs no more directions */
 };
 
 struct murk_levels {
@@ -39,10 +41,12 @@ struct murk_levels {
 /* The error that directions may leave a band. */
 double murk_levels_goal(const murk_levels *levels, const struct murk_level_band *band);
 
-/* How many directions the band that asks for most needs, by what `now` of them told. */
+/* How many directions the band that asks for most needs, of those that are not settled, by what
+   `now` of them told. */
 int murk_levels_needed(const murk_levels *levels, int now);
 
-/* Sets the estimates for levels->directions from each band's scale. */
+/* Sets the estimates of bands that are not settled for levels->directions, from each one's scale.
+ */
 void murk_levels_estimate(murk_levels *levels);
 
 /* From the coarse solutions to those of the zones themselves, with levels->directions or as many

@@ -145,12 +145,13 @@ static murk_status make_lines(murk_levels *levels)
     return MURK_OK;
 }
 
-/* Passes with one number of directions until the iteration of each band is good enough. */
+/* Passes with one number of directions until the iteration of each band that they are for is good
+   enough. */
 static murk_status passes(murk_levels *levels)
 {
     murk_status status = make_lines(levels);
     for (int b = 0; b < levels->count; b++)
-        levels->band[b].done = false;
+        levels->band[b].done = levels->band[b].settled;
     for (int n = 0; !status && n < MOST_PASSES; n++) {
         struct murk_level_band *band[MURK_MOST_BANDS];
         double change[MURK_MOST_BANDS];
@@ -198,17 +199,24 @@ static murk_status begin(murk_levels *levels)
     return levels->options->camera ? find_audience(levels) : MURK_OK;
 }
 
-/* Takes the scales from what the first pass changed; whether the directions are enough for all. */
-static bool directions_do(murk_levels *levels)
+/* Takes the scales from what the first pass changed, and settles the bands that have directions
+   enough; whether that is all of them. */
+static bool settle(murk_levels *levels)
 {
-    bool enough = true;
+    bool all = true;
     for (int b = 0; b < levels->count; b++)
-        levels->band[b].scale =
-            murk_angular_scale(levels->band[b].change, levels->last, levels->directions);
+        if (!levels->band[b].settled)
+            levels->band[b].scale =
+                murk_angular_scale(levels->band[b].change, levels->last, levels->directions);
     murk_levels_estimate(levels);
-    for (int b = 0; b < levels->count; b++)
-        enough = enough && levels->band[b].angular <= murk_levels_goal(levels, &levels->band[b]);
-    return enough;
+    for (int b = 0; b < levels->count; b++) {
+        struct murk_level_band *band = &levels->band[b];
+        band->settled = band->angular <= murk_levels_goal(levels, band) &&
+                        band->angular + band->spatial + band->iteration <=
+                            levels->options->tolerance;
+        all = all && band->settled;
+    }
+    return all;
 }
 
 murk_status murk_levels_pass(murk_levels *levels)
@@ -219,7 +227,7 @@ murk_status murk_levels_pass(murk_levels *levels)
         if (status || levels->coarse.band[0].shift || levels->directions <= levels->last)
             return status;
         int now = levels->directions;
-        if (directions_do(levels) || levels->options->directions || now >= MURK_MOST_DIRECTIONS)
+        if (settle(levels) || levels->options->directions || now >= MURK_MOST_DIRECTIONS)
             return MURK_OK;
         levels->last = now;
         levels->directions = murk_levels_needed(levels, now);

@@ -98,7 +98,7 @@ static int count_alike(murk_context *context, murk_solution *const solution[], s
         const char *other = murk_solutions_differ(solution[0], solution[n]);
         if (!other)
             continue;
-        murk_note(context, "a scene has another %s than the one before it: solved after it", other);
+        murk_note(context, "a scene has %s than the one before it: solved after it", other);
         return n;
     }
     return left < MURK_MOST_BANDS ? (int)left : MURK_MOST_BANDS;
