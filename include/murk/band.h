@@ -12,14 +12,12 @@
 extern "C" {
 #endif
 
-/** From wavelength[0] to wavelength[1] [m]. Where both are the same, all quantities of the band are
- *  those per micrometre at that wavelength. Both 0: no band is known. */
-typedef struct murk_band {
-    double wavelength[2];
-} murk_band;
-
 /** Whether 0 < wavelength[0] <= wavelength[1], both finite. */
 MURK_API bool murk_band_valid(const murk_band *band);
+
+/** Whether a text can name a band: 1 to MURK_BAND_NAME_MAX letters, digits, _ and -. */
+MURK_API bool murk_band_name_valid(const char *name);
+enum { MURK_BAND_NAME_MAX = 39 };
 
 /**
  * Planck's radiance of a black body, integrated over the band [W/m^2/sr], or [W/m^2/sr/um] at one

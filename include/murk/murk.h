@@ -145,6 +145,12 @@ MURK_API const char *murk_volume_density(const murk_volume *volume);
 /* Medium                                                                                      */
 /* ------------------------------------------------------------------------------------------ */
 
+/** From wavelength[0] to wavelength[1] [m]; see band.h. Where both are the same, all quantities of
+ *  the band are those per micrometre at that wavelength. Both 0: no band is known. */
+typedef struct murk_band {
+    double wavelength[2];
+} murk_band;
+
 /** Extinction, albedo and emission of the zones. */
 typedef struct murk_medium murk_medium;
 
@@ -166,6 +172,11 @@ typedef struct murk_medium_options {
     murk_quantity extinction;
     murk_quantity albedo;   /**< single-scattering albedo kappa_s/kappa_t in [0, 1] */
     murk_quantity emission; /**< E [W/m^2] >= 0 */
+    /** T [K]: E gets pi times Planck's radiance in the band on top. Grid values times scale plus
+     *  temperature_offset; 0: none. */
+    murk_quantity temperature;
+    double temperature_offset;
+    murk_band band;    /**< that temperatures radiate in */
     bool corner;       /**< voxel (i,j,k) covers [i, i+1] x ... instead of [i - 1/2, i + 1/2] */
     bool strict;       /**< NaN, infinite, negative values are an error, not empty */
     double voxel_size; /**< > 0 overrides the file's voxel size [m] (all three axes by ratio) */
@@ -174,14 +185,16 @@ typedef struct murk_medium_options {
 #define MURK_MEDIUM_DEFAULT                                                                        \
     {                                                                                              \
         .extinction = {NULL, 0.0, MURK_FROM_GRID}, .albedo = {NULL, 1.0, 0.9},                     \
-        .emission = {NULL, 1.0, 0.0}, .corner = false, .strict = false, .voxel_size = 0.0          \
+        .emission = {NULL, 1.0, 0.0}, .temperature = {NULL, 1.0, 0.0}, .temperature_offset = 0.0,  \
+        .band = {{0.0, 0.0}}, .corner = false, .strict = false, .voxel_size = 0.0                  \
     }
 
 /**
  * Builds the medium from the grids of a volume. options may be NULL. Active voxels without
  * extinction are no zones. An empty grid gives a valid medium without zones.
  * Fails with MURK_ERROR_INPUT for an unknown or unreadable grid, a frustum or sheared transform,
- * grids on different transforms, an albedo outside [0, 1], or, when strict, bad values.
+ * grids on different transforms, an albedo outside [0, 1], a temperature without a band, or, when
+ * strict, bad values.
  */
 MURK_API murk_status murk_medium_from_volume(murk_context *context, const murk_volume *volume,
                                              const murk_medium_options *options, murk_medium **out);
@@ -466,11 +479,12 @@ typedef struct murk_render_options {
     bool no_background; /**< leave ground and sky out of the picture (they still light it) */
     const murk_image
         *background; /**< shown where a ray meets neither ground nor ... ; may be NULL */
+    bool parts;      /**< add channels for what a sensor sees, see murk_render() */
 } murk_render_options;
 
 #define MURK_RENDER_DEFAULT                                                                        \
     {                                                                                              \
-        .samples = 0, .no_background = false, .background = NULL                                   \
+        .samples = 0, .no_background = false, .background = NULL, .parts = false                   \
     }
 
 /**
@@ -478,7 +492,10 @@ typedef struct murk_render_options {
  * A = 1 - transmittance), transmittance.Y, path.R path.G path.B (light from the medium),
  * surface.R surface.G surface.B (attenuated light of ground, sky or background; R = path.R +
  * surface.R) [W/m^2/sr] and Z, the distance [m] at which half the ray's optical depth is passed
- * (infinite where the ray meets no medium). options may be NULL.
+ * (infinite where the ray meets no medium). With options->parts also scattered.Y and emitted.Y,
+ * which the path radiance consists of (light that zones scatter, and what they radiate by
+ * themselves towards the camera), inherent.R inherent.G inherent.B (the surface's light before it
+ * enters the medium) and depth.Y, the mean optical depth. options may be NULL.
  */
 MURK_API murk_status murk_render(murk_context *context, const murk_scene *scene,
                                  const murk_solution *solution, const murk_camera *camera,
@@ -487,7 +504,8 @@ MURK_API murk_status murk_render(murk_context *context, const murk_scene *scene,
 /** Makes an image of float channels; names are copied, pixels start at 0. */
 MURK_API murk_status murk_image_create(murk_context *context, int width, int height, int channels,
                                        const char *const *names, murk_image **out);
-/** Reads any image that OpenImageIO reads, as linear floats with its channel names. */
+/** Reads any image that OpenImageIO reads, as linear floats with its channel names and those of its
+ *  attributes that are text. */
 MURK_API murk_status murk_image_read(murk_context *context, const char *path, murk_image **out);
 MURK_API void murk_image_release(murk_image *image);
 MURK_API int murk_image_width(const murk_image *image);
@@ -497,6 +515,12 @@ MURK_API const char *murk_image_channel_name(const murk_image *image, int channe
 /** All pixels: width * height * channels floats, channels of a pixel together, row 0 on top. */
 MURK_API float *murk_image_pixels(murk_image *image);
 MURK_API const float *murk_image_pixels_const(const murk_image *image);
+/** Gives an image an attribute, or an attribute another text; both are copied. Fails with
+ *  MURK_ERROR_INPUT for an empty name, with MURK_ERROR_MEMORY when memory runs out. */
+MURK_API murk_status murk_image_set_attribute(murk_image *image, const char *name,
+                                              const char *text);
+/** The text of an attribute, or NULL where there is none; valid until it is set again. */
+MURK_API const char *murk_image_attribute(const murk_image *image, const char *name);
 
 typedef struct murk_image_write_options {
     double exposure;     /**< stops, for 8-bit formats; NaN: brings the 99th percentile of the
@@ -511,14 +535,23 @@ typedef struct murk_image_write_options {
     }
 
 /** Writes an image; the format follows the path's extension. EXR keeps all channels as linear
- *  floats; PNG and other 8-bit formats take R, G, B with exposure and the sRGB curve, values that
- *  are not finite as 0. Written beside the target, then renamed. options may be NULL. */
+ *  floats and all attributes; PNG and other 8-bit formats take R, G, B with exposure and the sRGB
+ *  curve, values that are not finite as 0. Written beside the target, then renamed. options may be
+ *  NULL. */
 MURK_API murk_status murk_image_write(murk_context *context, const murk_image *image,
                                       const char *path, const murk_image_write_options *options);
 
 /** Fails as murk_image_write() or, for .vdb and "-", murk_solution_write() would for this path:
  *  unknown format, folder that is not there or cannot be written. To be asked before long work. */
 MURK_API murk_status murk_output_check(murk_context *context, const char *path);
+
+/** Writes a file of any other content, `size` bytes: beside the target, then renamed. Fails with
+ *  MURK_ERROR_IO where that is impossible. */
+MURK_API murk_status murk_file_write(murk_context *context, const char *path, const void *bytes,
+                                     size_t size);
+
+/** Fails as murk_file_write() would for this path, as far as that can be told before. */
+MURK_API murk_status murk_file_check(murk_context *context, const char *path);
 
 #ifdef __cplusplus
 }

@@ -52,12 +52,6 @@ static double integral(double low, double high)
     return pi4 / 15 - up_to(low) - from(high);
 }
 
-bool murk_band_valid(const murk_band *band)
-{
-    return band->wavelength[0] > 0 && band->wavelength[1] >= band->wavelength[0] &&
-           isfinite(band->wavelength[1]);
-}
-
 /* The radiance and its derivative by temperature. */
 static double radiance_of(const murk_band *band, double kelvin, double *slope)
 {

@@ -182,10 +182,11 @@ static void judge(struct cli_job *job, struct verdict *verdict)
     *verdict = (struct verdict){.density = options->extinction.grid};
     if (!verdict->density)
         verdict->density = murk_volume_density(job->scene.volume);
-    murk_status status =
-        murk_medium_from_volume(job->context, job->scene.volume, options, &job->scene.medium);
+    job->scene.band_count = 1;
+    murk_status status = murk_medium_from_volume(job->context, job->scene.volume, options,
+                                                 &job->scene.band[0].medium);
     if (status == MURK_OK)
-        status = murk_medium_info_get(job->scene.medium, &verdict->info);
+        status = murk_medium_info_get(job->scene.band[0].medium, &verdict->info);
     verdict->medium = status == MURK_OK;
     if (status != MURK_OK)
         snprintf(verdict->why_not, sizeof verdict->why_not, "%s",

@@ -3,7 +3,9 @@
 
 #include "pattern.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -57,21 +59,33 @@ murk_status cli_job_start(struct cli_job *job, const struct cli_options *options
 }
 
 /* What the command line says goes before what the scene says. */
-static void apply_options(const struct cli_options *options, struct scene_description *description)
+static void apply_medium_options(const struct cli_options *options, const char *obscurant,
+                                 struct scene_description *description)
 {
     murk_medium_options *medium = &description->medium;
-    murk_camera *camera = &description->camera;
     if (options->grid)
-        medium->extinction.grid = options->grid;
+        medium->extinction.grid = description->concentration.grid = options->grid;
+    if (obscurant) {
+        description->obscurant = obscurant;
+        description->mass_extinction = NAN;
+        description->albedo_named = false;
+    }
     if (!isnan(options->scale)) {
         medium->extinction.scale = options->scale;
         medium->extinction.value = MURK_FROM_GRID;
+        description->mass_extinction = NAN;
+        description->obscurant = NULL;
+    }
+    if (!isnan(options->concentration)) {
+        description->concentration.scale = options->concentration;
+        description->has_concentration = true;
     }
     if (options->albedo) {
         char *end;
         double value = strtod(options->albedo, &end);
         bool number = *end == '\0';
         medium->albedo = (murk_quantity){number ? NULL : options->albedo, 1.0, number ? value : 0};
+        description->albedo_named = true;
     }
     if (!isnan(options->voxel_size))
         medium->voxel_size = options->voxel_size;
@@ -80,6 +94,15 @@ static void apply_options(const struct cli_options *options, struct scene_descri
     if (options->up >= 0)
         description->up = options->up == 1 ? MURK_UP_Y : MURK_UP_Z;
     medium->strict |= options->strict;
+}
+
+static void apply_options(const struct cli_options *options, const char *obscurant,
+                          struct scene_description *description)
+{
+    murk_camera *camera = &description->camera;
+    apply_medium_options(options, obscurant, description);
+    for (size_t n = 0; n < description->band_count; n++)
+        apply_medium_options(options, obscurant, &description->band[n]);
     if (!isnan(options->eye[0]))
         memcpy(camera->eye, options->eye, sizeof camera->eye);
     if (!isnan(options->target[0]))
@@ -131,14 +154,24 @@ murk_status cli_job_describe(struct cli_job *job)
     const char *input = job->options->input;
     char message[SCENE_MESSAGE_SIZE] = "";
     murk_status status = MURK_OK;
+    if (!strcmp(job->command, "contrast"))
+        return MURK_OK;
     if (cli_has_extension(input, ".json"))
         status = scene_parse(input, &job->description, message);
     else
         scene_describe_volume(input, &job->description);
+    if (status == MURK_OK && job->options->bands)
+        status = scene_choose_bands(&job->description, job->options->bands, message);
+    if (status == MURK_OK && job->options->obscurant && !job->obscurant &&
+        !(job->obscurant = realpath(job->options->obscurant, NULL))) {
+        snprintf(message, sizeof message, "--obscurant %s: cannot read: %s",
+                 job->options->obscurant, strerror(errno));
+        status = MURK_ERROR_INPUT;
+    }
     if (status != MURK_OK)
         cli_error(&job->terminal, "%s", message);
     else
-        apply_options(job->options, &job->description);
+        apply_options(job->options, job->obscurant, &job->description);
     return status == MURK_OK && job->frame ? name_frame_files(job) : status;
 }
 
@@ -152,6 +185,14 @@ murk_status cli_job_read(struct cli_job *job)
     return status;
 }
 
+static bool has_mass(const struct scene *scene)
+{
+    for (size_t n = 0; n < scene->band_count; n++)
+        if (scene->band[n].mass_extinction > 0)
+            return true;
+    return false;
+}
+
 murk_status cli_job_build(struct cli_job *job)
 {
     char message[SCENE_MESSAGE_SIZE] = "";
@@ -159,7 +200,11 @@ murk_status cli_job_build(struct cli_job *job)
     murk_status status = scene_build(job->context, &job->description, &job->scene, message);
     if (status != MURK_OK) {
         cli_error(&job->terminal, "%s", message);
-    } else if (job->options->ground_radiosity && !job->scene.ground) {
+    } else if (!isnan(job->options->concentration) && !has_mass(&job->scene)) {
+        cli_error(&job->terminal, "--concentration: the scene has no mass extinction coefficients; "
+                                  "--scale sets the extinction");
+        status = MURK_ERROR_INPUT;
+    } else if (job->options->ground_radiosity && !job->scene.band[0].ground) {
         cli_error(&job->terminal, "--ground-radiosity: the scene has no ground");
         status = MURK_ERROR_INPUT;
     }
@@ -167,17 +212,68 @@ murk_status cli_job_build(struct cli_job *job)
     return status;
 }
 
+static void release_solutions(murk_solution *solution[SCENE_BANDS_MAX])
+{
+    for (size_t n = 0; n < SCENE_BANDS_MAX; n++) {
+        murk_solution_release(solution[n]);
+        solution[n] = NULL;
+    }
+}
+
 murk_status cli_job_solve(struct cli_job *job)
 {
     murk_solve_options options = job->options->solve;
-    options.start = job->start;
+    murk_status worst = MURK_OK;
     if (!strcmp(job->command, "image") && !job->options->radiosity)
         options.camera = &job->scene.camera; /* nothing else will see the solution */
-    murk_status status = murk_solve(job->context, &job->scene.scene, &options, &job->solution);
-    murk_solution_release(job->start);
-    job->start = NULL;
+    for (size_t n = 0; n < job->scene.band_count && !cli_job_failed(worst); n++) {
+        options.start = job->start[n];
+        murk_status status =
+            murk_solve(job->context, &job->scene.band[n].scene, &options, &job->solution[n]);
+        worst = status != MURK_OK ? status : worst;
+    }
+    release_solutions(job->start);
     cli_terminal_clear(&job->terminal);
-    return cli_job_fail(job, status);
+    return cli_job_fail(job, worst);
+}
+
+bool cli_job_chose_scale(const struct cli_job *job, murk_medium_info *info)
+{
+    const struct scene_description *first =
+        job->description.band_count ? job->description.band : &job->description;
+    const struct scene_band *band = &job->scene.band[0];
+    return first->medium.extinction.scale == 0.0 && !(band->mass_extinction > 0.0) &&
+           murk_medium_info_get(band->medium, info) == MURK_OK && info->extinction_scale > 0.0;
+}
+
+const murk_report *cli_job_report(const struct cli_job *job)
+{
+    const murk_report *worst = NULL;
+    for (size_t n = 0; n < job->scene.band_count; n++) {
+        const murk_report *report = murk_solution_report(job->solution[n]);
+        if (!worst || report->estimate > worst->estimate)
+            worst = report;
+    }
+    return worst;
+}
+
+static murk_status render(struct cli_job *job, const murk_render_options *options)
+{
+    const struct scene *scene = &job->scene;
+    murk_band_view view[SCENE_BANDS_MAX];
+    if (!scene->band[0].name)
+        return murk_render(job->context, &scene->band[0].scene, job->solution[0], &scene->camera,
+                           options, &job->picture);
+    for (size_t n = 0; n < scene->band_count; n++) {
+        const struct scene_band *band = &scene->band[n];
+        view[n] = (murk_band_view){.name = band->name,
+                                   .band = band->band,
+                                   .mass_extinction = band->mass_extinction,
+                                   .scene = &band->scene,
+                                   .solution = job->solution[n]};
+    }
+    return murk_render_bands(job->context, view, scene->band_count, &scene->camera, options,
+                             &job->picture);
 }
 
 murk_status cli_job_render(struct cli_job *job)
@@ -187,8 +283,7 @@ murk_status cli_job_render(struct cli_job *job)
     options.samples = job->options->samples;
     options.no_background = job->scene.no_background;
     options.background = job->scene.background;
-    murk_status status = murk_render(job->context, &job->scene.scene, job->solution,
-                                     &job->scene.camera, &options, &job->picture);
+    murk_status status = render(job, &options);
     cli_terminal_clear(&job->terminal);
     job->seconds_render = cli_seconds() - start;
     return cli_job_fail(job, status);
@@ -197,16 +292,14 @@ murk_status cli_job_render(struct cli_job *job)
 void cli_job_next(struct cli_job *job, murk_status status)
 {
     if (cli_job_failed(status)) {
-        murk_solution_release(job->start);
-        job->start = NULL;
-    } else if (job->solution && strcmp(job->command, "render")) {
-        job->start = job->solution;
-        job->solution = NULL;
+        release_solutions(job->start);
+    } else if (job->solution[0] && strcmp(job->command, "render")) {
+        memcpy(job->start, job->solution, sizeof job->start);
+        memset(job->solution, 0, sizeof job->solution);
     }
     murk_image_release(job->picture);
-    murk_solution_release(job->solution);
+    release_solutions(job->solution);
     job->picture = NULL;
-    job->solution = NULL;
     scene_release(&job->scene);
     scene_description_release(&job->description);
     for (int i = 0; i < SCENE_FILE_MAX; i++) {
@@ -221,7 +314,8 @@ int cli_job_end(struct cli_job *job, murk_status status)
 {
     cli_terminal_clear(&job->terminal);
     cli_job_next(job, status);
-    murk_solution_release(job->start);
+    release_solutions(job->start);
     murk_context_release(job->context);
+    free(job->obscurant);
     return cli_exit_status(status);
 }

@@ -13,11 +13,13 @@ struct cli_job {
     const int *frame; /* NULL: not one of a sequence */
     struct cli_terminal terminal;
     murk_context *context;
+    void *state; /* of the command, from frame to frame */
     struct scene_description description;
     char *files[SCENE_FILE_MAX]; /* of the frame, where the description has patterns */
+    char *obscurant;             /* of --obscurant, from the root */
     struct scene scene;
-    murk_solution *start; /* of the frame before, until this one is solved */
-    murk_solution *solution;
+    murk_solution *start[SCENE_BANDS_MAX];    /* of the frame before, until this one is solved */
+    murk_solution *solution[SCENE_BANDS_MAX]; /* of the scene's bands */
     murk_image *picture;
     double started;
     double seconds_read, seconds_render, seconds_write;
@@ -28,7 +30,8 @@ struct cli_job {
 murk_status cli_job_start(struct cli_job *job, const struct cli_options *options,
                           const char *command, const char *command_line);
 
-/* Describes INPUT for the frame, if there is one; options go before what a scene file says. */
+/* Describes INPUT for the frame, if there is one; options go before what a scene file says. The
+   picture of murk contrast has no description. */
 murk_status cli_job_describe(struct cli_job *job);
 
 /* Reads the volume, after cli_job_describe(). */
@@ -46,6 +49,12 @@ void cli_job_next(struct cli_job *job, murk_status status);
 
 /* Releases everything; gives the exit status for what the job came to. */
 int cli_job_end(struct cli_job *job, murk_status status);
+
+/* Whether murk chose the extinction per unit of the grid by itself; *info is of the first band. */
+bool cli_job_chose_scale(const struct cli_job *job, murk_medium_info *info);
+
+/* The report of the band that is furthest from its tolerance. */
+const murk_report *cli_job_report(const struct cli_job *job);
 
 /* Whether nothing came of it: MURK_NOT_REACHED delivers its result. */
 bool cli_job_failed(murk_status status);

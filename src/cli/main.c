@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* murk's command line: finds the command and hands over. */
 #include "bench.h"
+#include "contrast.h"
 #include "help.h"
 #include "info.h"
 #include "nearest.h"
@@ -18,6 +19,8 @@ static const struct cli_command_info COMMANDS[] = {
      "Renders another view of a solution; nothing is solved again.", cli_render},
     {CLI_INFO, "info", "info INPUT [OPTION]...",
      "Tells what is in a file, and what murk would take it for.", cli_info},
+    {CLI_CONTRAST, "contrast", "contrast INPUT --target REGION --background REGION [OPTION]...",
+     "Tells what of a target is seen through the smoke, in each band of a picture.", cli_contrast},
     {CLI_BENCH, "bench", "bench [-o FILE.png] [OPTION]...",
      "Measures run time, memory and error on media made in memory.", cli_bench},
 };
@@ -28,12 +31,14 @@ static void print_usage(FILE *stream)
     fputs("murk lights smoke, fog and clouds, and renders what they obscure.\n\nusage:\n", stream);
     for (int i = 0; i < COMMAND_COUNT; i++)
         fprintf(stream, "  murk %s\n      %s\n", COMMANDS[i].usage, COMMANDS[i].summary);
-    fputs("\nINPUT is a .vdb file, a scene file (.json), or - for a VDB stream. A frame\n"
-          "pattern (####, %04d, $F4) makes image, solve and render run over a sequence.\n"
-          "murk COMMAND --help lists the options of a command; murk --version tells the version.\n"
-          "Exit status: 0 done, 1 bad input or usage, 2 the system failed, 3 tolerance not "
-          "reached;\nof a sequence the status of its worst frame: 2 before 1 before 3.\n",
-          stream);
+    fputs(
+        "\nINPUT is a .vdb file, a scene file (.json), or - for a VDB stream; for contrast it is\n"
+        "an .exr picture of a scene with bands. A frame pattern (####, %04d, $F4) makes image,\n"
+        "solve, render and contrast run over a sequence.\n"
+        "murk COMMAND --help lists the options of a command; murk --version tells the version.\n"
+        "Exit status: 0 done, 1 bad input or usage, 2 the system failed, 3 tolerance not "
+        "reached;\nof a sequence the status of its worst frame: 2 before 1 before 3.\n",
+        stream);
 }
 
 static const struct cli_command_info *find_command(const char *name)

@@ -100,6 +100,7 @@ static void set_defaults(struct cli_options *options)
     const murk_solve_options solve = MURK_SOLVE_DEFAULT;
     *options = (struct cli_options){
         .scale = NAN,
+        .concentration = NAN,
         .voxel_size = NAN,
         .voxels = -1,
         .up = -1,
@@ -108,7 +109,11 @@ static void set_defaults(struct cli_options *options)
         .target = {NAN, NAN, NAN},
         .fov = NAN,
         .exposure = NAN,
+        .range = {NAN, NAN},
         .runs = 3,
+        .netd = NAN,
+        .snr = NAN,
+        .against = -1,
         .kernel = -1,
     };
 }
@@ -138,7 +143,9 @@ bool cli_options_parse(enum cli_command command, const char *command_name, int c
         }
     }
     if ((command & CLI_INPUT) && !out->input && !out->help) {
-        snprintf(message, size, "%s: needs an INPUT: a .vdb or .json file, or -", command_name);
+        snprintf(message, size, "%s: needs an INPUT: %s", command_name,
+                 command == CLI_CONTRAST ? "an .exr picture of a scene with bands"
+                                         : "a .vdb or .json file, or -");
         return false;
     }
     out->solve.method = out->method == 1 ? MURK_PAIRWISE : MURK_LINES;

@@ -12,8 +12,18 @@ enum cli_command {
     CLI_RENDER = 4,
     CLI_INFO = 8,
     CLI_BENCH = 16,
-    CLI_INPUT = CLI_IMAGE | CLI_SOLVE | CLI_RENDER | CLI_INFO, /* those that take an INPUT */
+    CLI_CONTRAST = 32,
+    CLI_VOLUME = CLI_IMAGE | CLI_SOLVE | CLI_RENDER | CLI_INFO, /* those that read a volume */
+    CLI_INPUT = CLI_VOLUME | CLI_CONTRAST,                      /* those that take an INPUT */
     CLI_ALL = CLI_INPUT | CLI_BENCH
+};
+
+/* What murk contrast draws its curves against. */
+enum cli_against {
+    CLI_AGAINST_FRAME,
+    CLI_AGAINST_TRANSMITTANCE,
+    CLI_AGAINST_DEPTH,
+    CLI_AGAINST_CL
 };
 
 /* What murk bench measures, as bits. */
@@ -42,8 +52,8 @@ struct cli_options {
     const char *frames;
     bool resume;
 
-    const char *grid, *albedo;
-    double scale, voxel_size;
+    const char *grid, *albedo, *bands, *obscurant;
+    double scale, concentration, voxel_size;
     int voxels, up;
     bool strict;
 
@@ -54,6 +64,8 @@ struct cli_options {
     int size[2], samples;
     bool no_background;
     double exposure;
+    const char *show; /* a channel */
+    double range[2];
 
     bool half, emission_coefficient, extinction_grid, albedo_grid;
 
@@ -62,6 +74,11 @@ struct cli_options {
     int runs;
     bool time_render;
     const char *volume, *curves;
+
+    const char *target_region, *background_region; /* X,Y,WxH or the path of a mask */
+    const char *band, *plot;
+    double netd, snr;
+    int against; /* one of enum cli_against */
 
     int threads, kernel;
     bool json, quiet, verbose, help;
@@ -89,7 +106,7 @@ struct cli_option {
 const struct cli_option *cli_option_table(size_t *count);
 
 /* The choices of the options named after them. */
-extern const char *const CLI_KERNELS[], *const CLI_BENCH_PARTS[];
+extern const char *const CLI_KERNELS[], *const CLI_BENCH_PARTS[], *const CLI_AGAINST[];
 
 /* Reads the arguments after the command's name. False with the one line in message (of size
    bytes) where they are wrong. */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "output.h"
 
+#include "show.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -77,14 +79,14 @@ murk_status cli_output_check(struct cli_job *job)
         if (status != MURK_OK)
             return status;
     }
-    return MURK_OK;
+    return cli_show_check(job);
 }
 
 static murk_status write_image(struct cli_job *job, const murk_image *image, const char *path,
-                               const char *units)
+                               double exposure, const char *units)
 {
     murk_image_write_options options = MURK_IMAGE_WRITE_DEFAULT;
-    options.exposure = job->options->exposure;
+    options.exposure = exposure;
     options.command = job->command_line;
     options.units = units;
     return murk_image_write(job->context, image, path, &options);
@@ -99,25 +101,49 @@ static murk_status write_radiosity(struct cli_job *job, const char *path)
     options.albedo = job->options->albedo_grid;
     options.half = job->options->half;
     options.command = job->command_line;
-    return murk_solution_write(job->solution, path, &options);
+    const char *names[SCENE_BANDS_MAX];
+    for (size_t n = 0; n < job->scene.band_count; n++)
+        names[n] = job->scene.band[n].name;
+    return murk_solutions_write((const murk_solution *const *)job->solution, names,
+                                job->scene.band_count, path, &options);
 }
 
+/* One channel a band, by its name, or Y. */
 static murk_status write_ground(struct cli_job *job, const char *path)
 {
-    static const char *const NAMES[] = {"Y"};
+    const char *names[SCENE_BANDS_MAX];
+    const int count = (int)job->scene.band_count;
     murk_image *image = NULL;
     int size[2];
-    murk_ground_patches(job->scene.ground, size);
-    murk_status status = murk_image_create(job->context, size[0], size[1], 1, NAMES, &image);
+    murk_ground_patches(job->scene.band[0].ground, size);
+    for (int n = 0; n < count; n++)
+        names[n] = job->scene.band[n].name ? job->scene.band[n].name : "Y";
+    murk_status status = murk_image_create(job->context, size[0], size[1], count, names, &image);
+    float *one = malloc(sizeof *one * (size_t)size[0] * (size_t)size[1]);
+    if (!one)
+        status = MURK_ERROR_MEMORY;
+    for (int n = 0; n < count && status == MURK_OK; n++) {
+        status = murk_solution_ground(job->solution[n], one);
+        for (int i = 0; i < size[0] * size[1] && status == MURK_OK; i++)
+            murk_image_pixels(image)[i * count + n] = one[i];
+    }
+    free(one);
     if (status == MURK_OK)
-        status = murk_solution_ground(job->solution, murk_image_pixels(image));
-    if (status == MURK_OK)
-        status = write_image(job, image, path, "W/m^2");
+        status = write_image(job, image, path, job->options->exposure, "W/m^2");
     murk_image_release(image);
     return status;
 }
 
-static murk_status write_output(struct cli_job *job, const struct output *output)
+/* shown: what the option --show asks for, or NULL. */
+static murk_status write_picture(struct cli_job *job, const murk_image *shown, const char *path)
+{
+    if (cli_show_wanted(job, path))
+        return write_image(job, shown, path, 0, NULL);
+    return write_image(job, job->picture, path, job->options->exposure, "W/m^2/sr, Z in m");
+}
+
+static murk_status write_output(struct cli_job *job, const murk_image *shown,
+                                const struct output *output)
 {
     switch (output->kind) {
     case RADIOSITY:
@@ -125,7 +151,7 @@ static murk_status write_output(struct cli_job *job, const struct output *output
     case GROUND:
         return write_ground(job, output->path);
     default:
-        return write_image(job, job->picture, output->path, "W/m^2/sr, Z in m");
+        return write_picture(job, shown, output->path);
     }
 }
 
@@ -133,12 +159,13 @@ murk_status cli_output_write(struct cli_job *job)
 {
     struct output list[OUTPUT_COUNT];
     double start = cli_seconds();
-    murk_status status = MURK_OK;
+    murk_image *shown = NULL;
+    murk_status status = cli_show_make(job, &shown);
     int written = 0;
     list_outputs(job, list);
     for (int i = 0; i < OUTPUT_COUNT && status == MURK_OK; i++)
         if (list[i].path) {
-            status = cli_job_fail(job, write_output(job, &list[i]));
+            status = cli_job_fail(job, write_output(job, shown, &list[i]));
             written += status == MURK_OK;
         }
     for (int i = 0; status != MURK_OK && i < OUTPUT_COUNT && written > 0; i++)
@@ -146,6 +173,7 @@ murk_status cli_output_write(struct cli_job *job)
             cli_say(&job->terminal, "%s is complete", list[i].path);
             written--;
         }
+    murk_image_release(shown);
     job->seconds_write = cli_seconds() - start;
     return status;
 }

@@ -15,10 +15,13 @@ size_t cli_paths(struct cli_options *options, const char *command,
         {"--ground-radiosity", &options->ground_radiosity, false},
         {"-o", &options->output, false},
         {"--preview", &options->preview, false},
+        {"--target", &options->target_region, true},
+        {"--background", &options->background_region, true},
     };
+    bool whole = !strcmp(command, "contrast");
     size_t count = 0;
     for (size_t i = 0; i < CLI_PATH_MAX; i++)
-        if (*all[i].text)
+        if (*all[i].text && (all[i].input || !whole))
             list[count++] = all[i];
     return count;
 }

@@ -5,7 +5,7 @@
 
 #include "options.h"
 
-enum { CLI_PATH_MAX = 5 };
+enum { CLI_PATH_MAX = 7 };
 
 struct cli_path {
     const char *option; /* "--preview" */
@@ -13,7 +13,8 @@ struct cli_path {
     bool input;
 };
 
-/* Lists the paths that are given to a command, INPUT first; gives their number. */
+/* Lists the paths that are given to a command for each frame, INPUT first; gives their number. The
+   outputs of murk contrast are not among them: they hold all frames. */
 size_t cli_paths(struct cli_options *options, const char *command,
                  struct cli_path list[CLI_PATH_MAX]);
 

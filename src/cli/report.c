@@ -30,6 +30,17 @@ void cli_print_json(json_t *object)
     json_decref(object);
 }
 
+/* "R, G, B: " for a scene with bands, else nothing. */
+static const char *band_names(const struct cli_job *job, char *text, size_t size)
+{
+    size_t used = 0;
+    *text = '\0';
+    for (size_t n = 0; n < job->scene.band_count && job->scene.band[n].name && used < size; n++)
+        used += (size_t)snprintf(text + used, size - used, "%s%s", job->scene.band[n].name,
+                                 n + 1 < job->scene.band_count ? ", " : ": ");
+    return text;
+}
+
 static const char *status_word(murk_status status)
 {
     return status == MURK_NOT_REACHED ? "tolerance not reached" : "done";
@@ -55,8 +66,7 @@ static void say_outputs(struct cli_job *job)
 static void say_scale(struct cli_job *job)
 {
     murk_medium_info info;
-    if (murk_medium_info_get(job->scene.medium, &info) == MURK_OK && info.zones > 0 &&
-        job->description.medium.extinction.scale == 0.0 && info.extinction_scale > 0.0)
+    if (cli_job_chose_scale(job, &info) && info.zones > 0)
         cli_say(&job->terminal,
                 "extinction = %g x the grid, %.2g optical depths at most; --scale sets it",
                 info.extinction_scale, info.max_depth);
@@ -64,16 +74,18 @@ static void say_scale(struct cli_job *job)
 
 void cli_report_say(struct cli_job *job, murk_status status)
 {
-    const murk_report *report = murk_solution_report(job->solution);
+    const murk_report *report = cli_job_report(job);
     double seconds = cli_seconds() - job->started;
+    char bands[SCENE_BANDS_MAX * 42];
+    band_names(job, bands, sizeof bands);
     if (!strcmp(job->command, "render"))
-        cli_say(&job->terminal, "%llu zones, %llu patches, %.2f s",
+        cli_say(&job->terminal, "%s%llu zones, %llu patches, %.2f s", bands,
                 (unsigned long long)report->zones, (unsigned long long)report->patches, seconds);
     else
         cli_say(&job->terminal,
-                "%llu zones, %llu patches, %d iterations, %.2f s, estimated error %.2g %% "
+                "%s%llu zones, %llu patches, %d iterations, %.2f s, estimated error %.2g %% "
                 "(asked for %.2g %%)",
-                (unsigned long long)report->zones, (unsigned long long)report->patches,
+                bands, (unsigned long long)report->zones, (unsigned long long)report->patches,
                 report->iterations, seconds, 100.0 * report->estimate, 100.0 * report->tolerance);
     say_scale(job);
     say_outputs(job);
@@ -129,6 +141,26 @@ static json_t *energy_json(const murk_report *report)
     return object;
 }
 
+/* Every band's own report. */
+static json_t *bands_json(const struct cli_job *job)
+{
+    json_t *array = json_array();
+    for (size_t n = 0; n < job->scene.band_count; n++) {
+        const struct scene_band *band = &job->scene.band[n];
+        const murk_report *report = murk_solution_report(job->solution[n]);
+        json_t *object = json_object();
+        json_object_set_new(object, "name", cli_json_text(band->name));
+        json_object_set_new(object, "wavelength", cli_json_numbers(band->band.wavelength, 2));
+        json_object_set_new(object, "mass_extinction",
+                            band->mass_extinction > 0 ? cli_json_number(band->mass_extinction)
+                                                      : json_null());
+        json_object_update_new(object, solution_json(report));
+        json_object_set_new(object, "energy", energy_json(report));
+        json_array_append_new(array, object);
+    }
+    return array;
+}
+
 static json_t *seconds_json(const struct cli_job *job, const murk_report *report)
 {
     json_t *object = json_object();
@@ -147,7 +179,7 @@ static json_t *seconds_json(const struct cli_job *job, const murk_report *report
 void cli_report_json(const struct cli_job *job, murk_status status)
 {
     const struct cli_options *options = job->options;
-    const murk_report *report = murk_solution_report(job->solution);
+    const murk_report *report = cli_job_report(job);
     bool render = !strcmp(job->command, "render");
     json_t *object = json_object(), *inputs = json_object(), *outputs = json_object();
     json_object_set_new(inputs, "input", cli_json_text(options->input));
@@ -163,12 +195,14 @@ void cli_report_json(const struct cli_job *job, murk_status status)
         json_object_set_new(object, "frame", json_integer(*job->frame));
     json_object_set_new(object, "status", json_string(status_word(status)));
     murk_medium_info medium = {0};
-    if (murk_medium_info_get(job->scene.medium, &medium) == MURK_OK)
+    if (murk_medium_info_get(job->scene.band[0].medium, &medium) == MURK_OK)
         json_object_set_new(inputs, "extinction_scale", cli_json_number(medium.extinction_scale));
     json_object_set_new(object, "inputs", inputs);
     json_object_set_new(object, "outputs", outputs);
     json_object_update_new(object, solution_json(report));
     json_object_set_new(object, "energy", energy_json(report));
+    if (job->scene.band[0].name)
+        json_object_set_new(object, "bands", bands_json(job));
     json_object_set_new(object, "seconds", seconds_json(job, report));
     cli_print_json(object);
 }

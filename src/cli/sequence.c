@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "sequence.h"
 
-#include "output.h"
 #include "paths.h"
 #include "plan.h"
 #include "report.h"
@@ -19,10 +18,10 @@ struct tally {
 };
 
 /* One run of a described job: the only one, or that of a frame. */
-static murk_status run_once(struct cli_job *job, cli_work_fn *work)
+static murk_status run_once(struct cli_job *job, const struct cli_steps *steps)
 {
-    murk_status status = cli_output_check(job);
-    return status == MURK_OK ? work(job) : status;
+    murk_status status = steps->check(job);
+    return status == MURK_OK ? steps->work(job) : status;
 }
 
 static int badness(murk_status status)
@@ -62,12 +61,13 @@ static void report_frame(struct cli_job *job, bool skipped, murk_status status)
     fflush(stdout); /* for whoever follows the sequence; main() tells about errors */
 }
 
-static murk_status work_on_frame(struct cli_job *job, cli_work_fn *work, struct tally *tally)
+static murk_status work_on_frame(struct cli_job *job, const struct cli_steps *steps,
+                                 struct tally *tally)
 {
     murk_status status = cli_job_describe(job);
     bool skipped = status == MURK_OK && job->options->resume && cli_resume_done(job);
     if (status == MURK_OK && !skipped) {
-        status = run_once(job, work);
+        status = run_once(job, steps);
         if (!cli_job_failed(status) && !tally->told_unsteady)
             cli_unsteady_warn(job);
         tally->told_unsteady |= !cli_job_failed(status);
@@ -100,7 +100,7 @@ static void leave_frame(struct cli_job *job, const struct cli_options *options,
     cli_frame_options_release(of_frame);
 }
 
-static murk_status run_frame(struct cli_job *job, const int *frame, cli_work_fn *work,
+static murk_status run_frame(struct cli_job *job, const int *frame, const struct cli_steps *steps,
                              struct tally *tally)
 {
     const struct cli_options *options = job->options;
@@ -108,20 +108,20 @@ static murk_status run_frame(struct cli_job *job, const int *frame, cli_work_fn 
     murk_status status = enter_frame(job, frame, &of_frame);
     if (status != MURK_OK)
         return status;
-    status = work_on_frame(job, work, tally);
+    status = work_on_frame(job, steps, tally);
     leave_frame(job, options, &of_frame, status);
     return status;
 }
 
 /* What would fail for every frame is told once, before the first. */
-static murk_status check_first(struct cli_job *job, const int *frame)
+static murk_status check_first(struct cli_job *job, const int *frame, const struct cli_steps *steps)
 {
     const struct cli_options *options = job->options;
     struct cli_frame_options of_frame;
     murk_status status = enter_frame(job, frame, &of_frame);
     if (status != MURK_OK)
         return status;
-    status = cli_output_check(job);
+    status = steps->check(job);
     leave_frame(job, options, &of_frame, status);
     return status;
 }
@@ -147,16 +147,16 @@ static void say_tally(struct cli_job *job, const struct tally *tally, size_t cou
 }
 
 static murk_status run_frames(struct cli_job *job, const struct cli_frames *frames,
-                              cli_work_fn *work)
+                              const struct cli_steps *steps)
 {
     struct tally tally = {.worst = MURK_OK};
-    murk_status status = check_first(job, &frames->number[0]);
+    murk_status status = check_first(job, &frames->number[0], steps);
     if (status != MURK_OK)
         return status;
     for (size_t i = 0; i < frames->count; i++) {
         int frame = frames->number[i];
         cli_terminal_frame(&job->terminal, frame, i + 1, frames->count);
-        count_in(&tally, frame, run_frame(job, &frames->number[i], work, &tally));
+        count_in(&tally, frame, run_frame(job, &frames->number[i], steps, &tally));
     }
     cli_terminal_frames_end(&job->terminal);
     say_tally(job, &tally, frames->count);
@@ -166,15 +166,20 @@ static murk_status run_frames(struct cli_job *job, const struct cli_frames *fram
 }
 
 int cli_run(const struct cli_options *options, const char *command, const char *command_line,
-            cli_work_fn *work)
+            const struct cli_steps *steps)
 {
     struct cli_job job;
     struct cli_frames frames = {0};
     murk_status status = cli_job_start(&job, options, command, command_line);
+    job.state = steps->state;
     if (status == MURK_OK)
         status = cli_plan(&job, &frames);
     if (status == MURK_OK)
-        status = frames.count ? run_frames(&job, &frames, work) : run_once(&job, work);
+        status = frames.count ? run_frames(&job, &frames, steps) : run_once(&job, steps);
+    if (steps->finish) {
+        murk_status finished = steps->finish(&job);
+        status = badness(finished) > badness(status) ? finished : status;
+    }
     cli_frames_release(&frames);
     return cli_job_end(&job, status);
 }

@@ -10,6 +10,7 @@ static const char *const SOLVERS[] = {"cg", "gauss-seidel", NULL};
 static const char *const VOXELS[] = {"center", "corner", NULL};
 static const char *const UPS[] = {"z", "y", NULL};
 const char *const CLI_BENCH_PARTS[] = {"growth", "emptiness", "threads", "error", "paper", NULL};
+const char *const CLI_AGAINST[] = {"frame", "transmittance", "depth", "cl", NULL};
 const char *const CLI_KERNELS[] = {"avx512", "avx2", "portable", NULL};
 
 enum {
@@ -24,6 +25,9 @@ static const char MEDIUM[] = "Medium (these go before what a scene file says)";
 static const char SOLVE[] = "Solution";
 static const char BENCH[] = "Benchmark";
 static const char CAMERA[] = "Camera and picture";
+static const char CONTRAST[] = "Target and background (X,Y,WxH is a rectangle of pixels from the "
+                               "top left)";
+static const char SENSOR[] = "Sensor";
 static const char GRIDS[] = "Grids of the radiosity VDB";
 static const char GENERAL[] = "General";
 
@@ -52,6 +56,17 @@ static const struct cli_option TABLE[] = {
     {"curves", 0, CLI_BENCH, OUTPUT, "FILE",
      "further panels for the plot, from lines of text: PANEL,CURVE,SECONDS,ERROR,LABEL",
      TEXT(curves)},
+    {"output", 'o', CLI_CONTRAST, OUTPUT, "FILE",
+     "the table as .csv, a line for each frame and band; not given: to standard output",
+     TEXT(output)},
+    {"plot", 0, CLI_CONTRAST, OUTPUT, "FILE",
+     "curves of a sequence, one for each band, such as .png: contrast transmittance, apparent "
+     "contrast, and from 3 um on the apparent temperature difference",
+     TEXT(plot)},
+    {"against", 0, CLI_CONTRAST, OUTPUT, "WHAT",
+     "what the curves are drawn against: frame (the default), or transmittance, depth (optical) or "
+     "cl of the lines of sight to the target",
+     CHOICE(against, CLI_AGAINST)},
     {"json", 0, CLI_ALL, OUTPUT, NULL, "print the report as JSON on standard output", FLAG(json)},
 
     {"frames", 0, WORKING, SEQUENCE, "LIST",
@@ -59,23 +74,36 @@ static const struct cli_option TABLE[] = {
      "input with a pattern; one that fails does not stop the others; each solve starts from the "
      "frame before, so a sequence run in parts differs within the tolerance",
      TEXT(frames)},
+    {"frames", 0, CLI_CONTRAST, SEQUENCE, "LIST",
+     "the frames to measure: 1-100, 1-100x2 or 1,3,10-20; not given: all that there are; one that "
+     "fails does not stop the others",
+     TEXT(frames)},
     {"resume", 0, WORKING, SEQUENCE, NULL,
      "skip frames whose outputs are there and newer than their inputs", FLAG(resume)},
 
-    {"grid", 0, CLI_INPUT, MEDIUM, "NAME", "the grid to take the extinction from", TEXT(grid)},
-    {"scale", 0, CLI_INPUT, MEDIUM, "S",
+    {"grid", 0, CLI_VOLUME, MEDIUM, "NAME", "the grid to take the extinction from", TEXT(grid)},
+    {"scale", 0, CLI_VOLUME, MEDIUM, "S",
      "extinction [1/m] = S times the grid's value; not given: such that the deepest column has "
      "about 5 optical depths",
      .value = cli_value_number, FIELD(scale), POSITIVE},
-    {"albedo", 0, CLI_INPUT, MEDIUM, "A", "single-scattering albedo: a number or a grid's name",
+    {"obscurant", 0, WORKING, MEDIUM, "FILE",
+     "mass extinction coefficient, albedo and asymmetry by wavelength, as .json", TEXT(obscurant)},
+    {"concentration", 0, WORKING, MEDIUM, "G",
+     "concentration [g/m^3] per unit of the grid, for scenes with mass extinction coefficients",
+     .value = cli_value_number, FIELD(concentration), POSITIVE},
+    {"albedo", 0, CLI_VOLUME, MEDIUM, "A", "single-scattering albedo: a number or a grid's name",
      TEXT(albedo)},
-    {"voxel-size", 0, CLI_INPUT, MEDIUM, "D", "edge of a voxel [m], where the file's is wrong",
+    {"bands", 0, WORKING, MEDIUM, "LIST",
+     "the bands to work on, such as R,G,B,LWIR: of those in the scene; where it has none, by names "
+     "of R, G, B, NIR, SWIR, MWIR and LWIR",
+     TEXT(bands)},
+    {"voxel-size", 0, CLI_VOLUME, MEDIUM, "D", "edge of a voxel [m], where the file's is wrong",
      .value = cli_value_number, FIELD(voxel_size), POSITIVE},
-    {"voxels", 0, CLI_INPUT, MEDIUM, "WHERE", "what a voxel's index is: its center or its corner",
+    {"voxels", 0, CLI_VOLUME, MEDIUM, "WHERE", "what a voxel's index is: its center or its corner",
      CHOICE(voxels, VOXELS)},
     {"up", 0, PICTURE | CLI_SOLVE, MEDIUM, "AXIS", "the axis that points up: z or y",
      CHOICE(up, UPS)},
-    {"strict", 0, CLI_INPUT, MEDIUM, NULL, "NaN, infinite and negative values are an error",
+    {"strict", 0, CLI_VOLUME, MEDIUM, NULL, "NaN, infinite and negative values are an error",
      FLAG(strict)},
 
     {"parts", 0, CLI_BENCH, BENCH, "LIST",
@@ -139,6 +167,29 @@ static const struct cli_option TABLE[] = {
      "for .png and the like; without it the 99th percentile of the luminance shows as 0.9",
      .value = cli_value_number, FIELD(exposure), .min = -100, .max = 100,
      .expected = "a number of stops from -100 to 100"},
+    {"show", 0, PICTURE, CAMERA, "CHANNEL",
+     "for .png and the like: a channel in false colour with a scale bar, such as Z, "
+     "transmittance.Y or LWIR.temperature [K]",
+     TEXT(show)},
+    {"range", 0, PICTURE, CAMERA, "LOW:HIGH",
+     "the ends of the scale bar; without it the 1st to the 99th percentile, for each frame anew",
+     .value = cli_value_range, FIELD(range),
+     .expected = "two numbers, the lower one first, such as 280:320"},
+
+    {"target", 0, CLI_CONTRAST, CONTRAST, "REGION",
+     "what is to be seen: X,Y,WxH, or an image of the picture's size that is above 0.5 there",
+     TEXT(target_region)},
+    {"background", 0, CLI_CONTRAST, CONTRAST, "REGION",
+     "what it stands out from, likewise; pixels of the target are left out of it",
+     TEXT(background_region)},
+    {"band", 0, CLI_CONTRAST, CONTRAST, "NAME", "one band of the picture; not given: all",
+     TEXT(band)},
+    {"netd", 0, CLI_CONTRAST, SENSOR, "K",
+     "noise-equivalent temperature difference, for cnr_thermal", .value = cli_value_number,
+     FIELD(netd), POSITIVE},
+    {"snr", 0, CLI_CONTRAST, SENSOR, "N",
+     "signal-to-noise ratio at the background's radiance, for cnr_radiance",
+     .value = cli_value_number, FIELD(snr), POSITIVE},
 
     {"half", 0, SOLVING, GRIDS, NULL, "store 16-bit floats", FLAG(half)},
     {"emission-coefficient", 0, SOLVING, GRIDS, NULL,
@@ -148,7 +199,7 @@ static const struct cli_option TABLE[] = {
 
     {"threads", 0, CLI_ALL, GENERAL, "N", "threads (all processors)", .value = cli_value_count,
      FIELD(threads), WHOLE(1, 4096, "a whole number from 1 to 4096")},
-    {"kernel", 0, CLI_ALL & ~CLI_INFO, GENERAL, "K",
+    {"kernel", 0, CLI_ALL & ~(CLI_INFO | CLI_CONTRAST), GENERAL, "K",
      "avx512, avx2 or portable; the fastest that this processor has", CHOICE(kernel, CLI_KERNELS)},
     {"quiet", 'q', CLI_ALL, GENERAL, NULL, "print errors only", FLAG(quiet)},
     {"verbose", 'v', CLI_ALL, GENERAL, NULL, "tell more", FLAG(verbose)},

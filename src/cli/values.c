@@ -104,6 +104,16 @@ bool cli_value_vector(const char *text, void *field, const struct cli_option *op
     return true;
 }
 
+bool cli_value_range(const char *text, void *field, const struct cli_option *option)
+{
+    double values[2];
+    (void)option;
+    if (!numbers(text, ':', 2, values) || !(values[0] < values[1]))
+        return false;
+    memcpy(field, values, sizeof values);
+    return true;
+}
+
 bool cli_value_size(const char *text, void *field, const struct cli_option *option)
 {
     return whole_numbers(text, 2, field, option);

@@ -11,6 +11,7 @@ cli_value_fn cli_value_number;  /* double in [min, max] */
 cli_value_fn cli_value_percent; /* double in (0, 1): "1%" or "0.01" */
 cli_value_fn cli_value_count;   /* int in [min, max] */
 cli_value_fn cli_value_vector;  /* double[3]: "1,2,3" */
+cli_value_fn cli_value_range;   /* double[2], the first below the second: "280:320" */
 cli_value_fn cli_value_size;    /* int[2]: "640x480", each in [min, max] */
 cli_value_fn cli_value_window;  /* int[3]: "10x10x4" */
 cli_value_fn cli_value_list;    /* struct cli_list, each in [min, max]: "1e4,1e5" */

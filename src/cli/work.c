@@ -17,8 +17,8 @@ static murk_status prepare(struct cli_job *job)
 /* Whether the camera can take the picture, before any long work. */
 static murk_status aim(struct cli_job *job)
 {
-    return cli_job_fail(job,
-                        murk_camera_check(job->context, &job->scene.scene, &job->scene.camera));
+    return cli_job_fail(
+        job, murk_camera_check(job->context, &job->scene.band[0].scene, &job->scene.camera));
 }
 
 /* Writes everything and tells what came out. */
@@ -63,8 +63,11 @@ static murk_status read_solution(struct cli_job *job)
     murk_volume *volume = NULL;
     double start = cli_seconds();
     murk_status status = murk_volume_read(job->context, job->options->radiosity, &volume);
-    if (status == MURK_OK)
-        status = murk_solution_from_volume(job->context, &job->scene.scene, volume, &job->solution);
+    for (size_t n = 0; n < job->scene.band_count && status == MURK_OK; n++) {
+        const struct scene_band *band = &job->scene.band[n];
+        status = murk_solution_from_volume_band(job->context, &band->scene, volume, band->name,
+                                                &job->solution[n]);
+    }
     murk_volume_release(volume);
     cli_terminal_clear(&job->terminal);
     job->seconds_read += cli_seconds() - start;
@@ -85,16 +88,19 @@ static murk_status render(struct cli_job *job)
 
 int cli_image(const struct cli_options *options, const char *command_line)
 {
-    return cli_run(options, "image", command_line, image);
+    static const struct cli_steps STEPS = {.check = cli_output_check, .work = image};
+    return cli_run(options, "image", command_line, &STEPS);
 }
 
 int cli_solve(const struct cli_options *options, const char *command_line)
 {
-    return cli_run(options, "solve", command_line, solve);
+    static const struct cli_steps STEPS = {.check = cli_output_check, .work = solve};
+    return cli_run(options, "solve", command_line, &STEPS);
 }
 
 int cli_render(const struct cli_options *options, const char *command_line)
 {
+    static const struct cli_steps STEPS = {.check = cli_output_check, .work = render};
     struct cli_terminal terminal;
     cli_terminal_init(&terminal, options->quiet, options->verbose);
     if (!options->radiosity) {
@@ -105,5 +111,5 @@ int cli_render(const struct cli_options *options, const char *command_line)
         cli_error(&terminal, "INPUT and --radiosity cannot both be standard input");
         return 1;
     }
-    return cli_run(options, "render", command_line, render);
+    return cli_run(options, "render", command_line, &STEPS);
 }

@@ -70,6 +70,7 @@ static murk_status image_encode(murk_context *context, const murk_image *image, 
         .channels = image->channels,
         .names = (const char *const *)image->names,
         .floats = image->pixels,
+        .attributes = image->attributes,
         .command = options->command,
         .units = options->units,
     };
@@ -85,6 +86,7 @@ static murk_status image_encode(murk_context *context, const murk_image *image, 
     pixels.channels = 3;
     pixels.names = RGB;
     pixels.floats = NULL;
+    pixels.attributes = NULL;
     pixels.bytes = display;
     murk_status status = murk_oiio_encode(context, path, &pixels, bytes, size);
     murk_free(display);
@@ -98,20 +100,12 @@ murk_status murk_image_write(murk_context *context, const murk_image *image, con
     bool eight_bit;
     void *bytes = NULL;
     size_t size = 0;
-    murk_beside file;
     murk_status status = image_format(context, path, &eight_bit);
     if (status == MURK_OK)
         status = image_encode(context, image, path, eight_bit, options ? options : &DEFAULTS,
                               &bytes, &size);
     if (status == MURK_OK)
-        status = murk_beside_open(context, path, &file);
-    if (status == MURK_OK) {
-        status = murk_beside_write(context, &file, bytes, size);
-        if (status == MURK_OK)
-            status = murk_beside_finish(context, &file);
-        else
-            murk_beside_discard(&file);
-    }
+        status = murk_file_write(context, path, bytes, size);
     free(bytes);
     return status;
 }

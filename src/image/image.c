@@ -57,6 +57,7 @@ void murk_image_release(murk_image *image)
         murk_free(image->names[c]);
     murk_free(image->names);
     murk_free(image->pixels);
+    murk_attributes_release(image->attributes);
     murk_free(image);
 }
 

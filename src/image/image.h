@@ -12,11 +12,20 @@ extern "C" {
 #define MURK_IMAGE_NOEXCEPT
 #endif
 
+/* In the order of their first setting. */
+typedef struct murk_attribute {
+    char *name, *text;
+    struct murk_attribute *next;
+} murk_attribute;
+
 struct murk_image {
     int width, height, channels;
     char **names;
     float *pixels;
+    murk_attribute *attributes;
 };
+
+void murk_attributes_release(murk_attribute *first);
 
 /* More values than this in one image are taken for a damaged header. */
 #define MURK_IMAGE_VALUES_MAX ((uint64_t)1 << 31)
@@ -41,9 +50,10 @@ double murk_display_exposure(const murk_image *image);
 typedef struct murk_oiio_pixels {
     int width, height, channels;
     const char *const *names;
-    const float *floats;         /* stored as linear floats, or NULL */
-    const uint8_t *bytes;        /* stored as sRGB bytes where floats is NULL */
-    const char *command, *units; /* metadata; may be NULL */
+    const float *floats;              /* stored as linear floats, or NULL */
+    const uint8_t *bytes;             /* stored as sRGB bytes where floats is NULL */
+    const murk_attribute *attributes; /* metadata; may be NULL */
+    const char *command, *units;      /* likewise */
 } murk_oiio_pixels;
 
 /* Reads the whole display window as linear floats. */

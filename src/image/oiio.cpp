@@ -63,6 +63,21 @@ void make_linear(const OIIO::ImageSpec &spec, murk_image &image)
     }
 }
 
+// Names with "oiio:" tell how OpenImageIO read the file and are none of its attributes.
+murk_status take_attributes(murk_context *context, const char *path, const OIIO::ImageSpec &spec,
+                            murk_image &image)
+{
+    for (const OIIO::ParamValue &attribute : spec.extra_attribs) {
+        std::string name = attribute.name().string();
+        if (attribute.type() != OIIO::TypeString || name.empty() ||
+            name.compare(0, 5, "oiio:") == 0)
+            continue;
+        if (murk_image_set_attribute(&image, name.c_str(), attribute.get_string().c_str()))
+            return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
+    }
+    return MURK_OK;
+}
+
 murk_status read_image(murk_context *context, const char *path, murk_image **out)
 {
     OIIO::ImageSpec config;
@@ -90,8 +105,12 @@ murk_status read_image(murk_context *context, const char *path, murk_image **out
                          one_line(file.geterror()).c_str());
     }
     make_linear(file.nativespec(), *image);
-    *out = image;
-    return MURK_OK;
+    status = take_attributes(context, path, file.nativespec(), *image);
+    if (status != MURK_OK)
+        murk_image_release(image);
+    else
+        *out = image;
+    return status;
 }
 
 OIIO::ImageSpec output_spec(const murk_oiio_pixels &pixels)
@@ -106,6 +125,8 @@ OIIO::ImageSpec output_spec(const murk_oiio_pixels &pixels)
         if (spec.channelnames[c] == "Z")
             spec.z_channel = c;
     }
+    for (const murk_attribute *a = pixels.attributes; a; a = a->next)
+        spec.attribute(a->name, a->text);
     spec.attribute("oiio:ColorSpace", pixels.floats ? "Linear" : "sRGB");
     if (pixels.floats) // Level 4, the usual one, takes a third longer for a tenth fewer bytes.
         spec.attribute("compression", "zip:2");

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "medium.h"
 
+#include "murk/band.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -68,8 +70,8 @@ static murk_status make_grids(murk_context *context, murk_medium *medium, murk_m
 /* A second grid's values at the zones, in [0, maximum]. */
 static murk_status take_values(murk_context *context, const murk_medium *medium,
                                const murk_medium_parts *parts, const murk_bricks *bricks,
-                               double scale, double constant, double maximum, const char *name,
-                               murk_values *out)
+                               double scale, double offset, double constant, double maximum,
+                               const char *name, murk_values *out)
 {
     const murk_grid *grid = medium->grid;
     bool varies = bricks->count > 0;
@@ -107,7 +109,7 @@ static murk_status take_values(murk_context *context, const murk_medium *medium,
             float value = bricks->background;
             if (at != MURK_NO_BRICK && murk_grid_active(lookup, (size_t)at, slot))
                 value = bricks->values[source[at] * MURK_BRICK_SLOTS + (size_t)slot];
-            value *= (float)scale;
+            value = value * (float)scale + (float)offset;
             if (!(value >= 0 && value <= (float)maximum)) {
                 bad++;
                 worst = value;
@@ -138,6 +140,41 @@ static murk_status take_values(murk_context *context, const murk_medium *medium,
     return MURK_OK;
 }
 
+/* Adds pi times Planck's radiance to the emission: black bodies, of which zones take the part that
+   they absorb. */
+static murk_status add_thermal(murk_context *context, murk_medium *medium,
+                               const murk_medium_parts *parts)
+{
+    const double hottest = 1e8; /* K, the middle of a star */
+    const size_t slots = medium->grid->brick_count * MURK_BRICK_SLOTS;
+    murk_values temperature = {0}, *emission = &medium->emission;
+    if (!murk_band_valid(&parts->band))
+        return murk_fail(context, MURK_ERROR_INPUT,
+                         "%s: a temperature needs a band of wavelengths to radiate in",
+                         parts->where);
+    murk_status status = take_values(
+        context, medium, parts, &parts->temperature, parts->temperature_scale,
+        parts->temperature_offset, parts->temperature_value, hottest, "temperature", &temperature);
+    if (status)
+        return status;
+    if (!temperature.field && !emission->field) {
+        emission->constant +=
+            (float)(M_PI * murk_planck_radiance(&parts->band, temperature.constant));
+        return MURK_OK;
+    }
+    float *field = emission->field ? emission->field : temperature.field;
+#pragma omp parallel for num_threads(context->threads) schedule(static)
+    for (size_t i = 0; i < slots; i++)
+        if (medium->kappa_t[i] > 0)
+            field[i] =
+                (float)(murk_value(emission, i) +
+                        M_PI * murk_planck_radiance(&parts->band, murk_value(&temperature, i)));
+    if (field == emission->field)
+        murk_free(temperature.field);
+    emission->field = field;
+    return MURK_OK;
+}
+
 murk_status murk_medium_build(murk_context *context, murk_medium_parts *parts, murk_medium **out)
 {
     murk_status status = MURK_ERROR_MEMORY;
@@ -153,11 +190,13 @@ murk_status murk_medium_build(murk_context *context, murk_medium_parts *parts, m
     if (!status)
         status = make_grids(context, medium, parts);
     if (!status)
-        status = take_values(context, medium, parts, &parts->albedo, parts->albedo_scale,
+        status = take_values(context, medium, parts, &parts->albedo, parts->albedo_scale, 0,
                              parts->albedo_value, 1, "albedo", &medium->albedo);
     if (!status)
-        status = take_values(context, medium, parts, &parts->emission, parts->emission_scale,
+        status = take_values(context, medium, parts, &parts->emission, parts->emission_scale, 0,
                              parts->emission_value, 1e30, "emission", &medium->emission);
+    if (!status && (parts->temperature.count || parts->temperature_value > 0))
+        status = add_thermal(context, medium, parts);
     if (status)
         murk_medium_release(medium);
     else
@@ -166,7 +205,15 @@ done:
     murk_bricks_clear(&parts->kappa_t);
     murk_bricks_clear(&parts->albedo);
     murk_bricks_clear(&parts->emission);
+    murk_bricks_clear(&parts->temperature);
     return status;
+}
+
+bool murk_medium_same_extinction(const murk_medium *a, const murk_medium *b)
+{
+    return a == b || (murk_grid_same(a->grid, b->grid) &&
+                      !memcmp(a->kappa_t, b->kappa_t,
+                              a->grid->brick_count * MURK_BRICK_SLOTS * sizeof *a->kappa_t));
 }
 
 murk_medium *murk_medium_share(const murk_medium *medium)

@@ -32,16 +32,21 @@ struct murk_medium {
    scaled to 1/m); the others may have values NULL for a constant, and may cover other voxels. */
 typedef struct murk_medium_parts {
     murk_bricks kappa_t;
-    murk_bricks albedo, emission; /* count 0: the constant holds */
-    double albedo_value, emission_value;
-    double albedo_scale, emission_scale; /* multiply the grid values */
-    double extinction_scale;             /* that kappa_t was scaled by, to be kept for reports */
+    murk_bricks albedo, emission, temperature; /* count 0: the constant holds */
+    double albedo_value, emission_value, temperature_value;
+    double albedo_scale, emission_scale, temperature_scale; /* multiply the grid values */
+    double temperature_offset;                              /* then added to them */
+    murk_band band;                                         /* that temperatures radiate in */
+    double extinction_scale; /* that kappa_t was scaled by, to be kept for reports */
     bool corner, strict;
     const char *where; /* for messages: "plume.vdb, grid density" */
 } murk_medium_parts;
 
 /* Builds a medium and consumes the bricks of parts (also on failure). */
 murk_status murk_medium_build(murk_context *context, murk_medium_parts *parts, murk_medium **out);
+
+/* Whether two media have the same zones with the same kappa_t. */
+bool murk_medium_same_extinction(const murk_medium *a, const murk_medium *b);
 
 /* Shares a medium: one more murk_medium_release() is needed. */
 murk_medium *murk_medium_share(const murk_medium *medium);

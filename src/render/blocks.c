@@ -4,15 +4,16 @@
 /* First voxel and number of voxels that a neighbour at -1, 0, +1 lends to the block. */
 static const int FROM[3] = {7, 0, 0}, COUNT[3] = {1, 8, 1}, TO[3] = {0, 1, 9};
 
-static void fill_block(const murk_solution *solution, const int32_t brick[3], float *block)
+static void fill_block(const murk_grid *grid, const float *field, const int32_t brick[3],
+                       float *block)
 {
     for (int n = 0; n < 27; n++) {
         const int d[3] = {n / 9, n / 3 % 3, n % 3};
-        int32_t b = murk_grid_find(solution->grid, brick[0] + d[0] - 1, brick[1] + d[1] - 1,
-                                   brick[2] + d[2] - 1);
+        int32_t b =
+            murk_grid_find(grid, brick[0] + d[0] - 1, brick[1] + d[1] - 1, brick[2] + d[2] - 1);
         if (b == MURK_NO_BRICK)
             continue;
-        const float *values = solution->radiosity + (size_t)b * MURK_BRICK_SLOTS;
+        const float *values = field + (size_t)b * MURK_BRICK_SLOTS;
         for (int x = 0; x < COUNT[d[0]]; x++)
             for (int y = 0; y < COUNT[d[1]]; y++)
                 for (int z = 0; z < COUNT[d[2]]; z++)
@@ -53,19 +54,39 @@ static void add_emission(const murk_medium *medium, const int32_t brick[3], floa
     }
 }
 
-float *murk_blocks_create(murk_context *context, const murk_solution *solution)
+static float *create(murk_context *context, const murk_medium *medium, const murk_grid *lit,
+                     const float *field)
 {
-    const murk_grid *grid = solution->medium->grid;
+    const murk_grid *grid = medium->grid;
     float *blocks = murk_alloc(grid->brick_count * MURK_BLOCK_SLOTS, sizeof *blocks);
     if (!blocks)
         return NULL;
-    const murk_values *emission = &solution->medium->emission;
-    bool emits = emission->field || emission->constant > 0;
+    bool emits = medium->emission.field || medium->emission.constant > 0;
 #pragma omp parallel for num_threads(context->threads) schedule(static)
     for (size_t b = 0; b < grid->brick_count; b++) {
-        fill_block(solution, grid->brick[b], blocks + b * MURK_BLOCK_SLOTS);
+        fill_block(lit, field, grid->brick[b], blocks + b * MURK_BLOCK_SLOTS);
         if (emits)
-            add_emission(solution->medium, grid->brick[b], blocks + b * MURK_BLOCK_SLOTS);
+            add_emission(medium, grid->brick[b], blocks + b * MURK_BLOCK_SLOTS);
     }
+    return blocks;
+}
+
+float *murk_blocks_create(murk_context *context, const murk_solution *solution)
+{
+    return create(context, solution->medium, solution->grid, solution->radiosity);
+}
+
+float *murk_blocks_glow(murk_context *context, const murk_solution *solution)
+{
+    const murk_medium *medium = solution->medium;
+    const size_t slots = medium->grid->brick_count * MURK_BRICK_SLOTS;
+    float *glow = murk_alloc(slots, sizeof *glow);
+    if (!glow)
+        return NULL;
+    for (size_t i = 0; i < slots; i++)
+        if (medium->kappa_t[i] > 0)
+            glow[i] = (1 - murk_value(&medium->albedo, i)) * murk_value(&medium->emission, i);
+    float *blocks = create(context, medium, medium->grid, glow);
+    murk_free(glow);
     return blocks;
 }

@@ -56,6 +56,18 @@ void murk_march_clear(murk_march *march)
     murk_free(march->box);
 }
 
+murk_status murk_march_glow(murk_context *context, const murk_solution *solution,
+                            const murk_march *march, murk_march *out)
+{
+    murk_march glow = *march;
+    glow.blocks = murk_blocks_glow(context, solution);
+    if (!glow.blocks)
+        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for rendering");
+    glow.medium.blocks = glow.blocks;
+    *out = glow;
+    return MURK_OK;
+}
+
 static bool grow(murk_trace *trace)
 {
     size_t capacity = 2 * trace->capacity + 16 * MURK_BRICK_STEPS;

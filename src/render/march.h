@@ -18,6 +18,11 @@ murk_status murk_march_create(murk_context *context, const murk_solution *soluti
                               murk_march *out);
 void murk_march_clear(murk_march *march);
 
+/* The same march through what the zones radiate by themselves, (1 - albedo) E in place of B. It
+   borrows from the first all but its blocks. */
+murk_status murk_march_glow(murk_context *context, const murk_solution *solution,
+                            const murk_march *march, murk_march *out);
+
 /* Light from the bricks, given front to back, into the packet, and its steps into the trace. False
    when memory runs out. */
 bool murk_march_light(const murk_march *march, const int32_t *brick, size_t count,

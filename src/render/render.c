@@ -19,15 +19,23 @@ enum {
     SURFACE_G,
     SURFACE_B,
     Z,
-    CHANNELS
+    CHANNELS,
+    SCATTERED = CHANNELS,
+    EMITTED,
+    INHERENT_R,
+    INHERENT_G,
+    INHERENT_B,
+    DEPTH,
+    CHANNELS_WITH_PARTS
 };
 
-static const char *const NAMES[CHANNELS] = {
-    "R",      "G",      "B",         "A",         "transmittance.Y", "path.R",
-    "path.G", "path.B", "surface.R", "surface.G", "surface.B",       "Z"};
+static const char *const NAMES[CHANNELS_WITH_PARTS] = {
+    "R",           "G",         "B",          "A",          "transmittance.Y", "path.R",
+    "path.G",      "path.B",    "surface.R",  "surface.G",  "surface.B",       "Z",
+    "scattered.Y", "emitted.Y", "inherent.R", "inherent.G", "inherent.B",      "depth.Y"};
 
 /* The means over the rays of a pixel. */
-static void set_pixel(const murk_sum *sum, int rays, float *pixel)
+static void set_pixel(const murk_sum *sum, int rays, bool parts, float *pixel)
 {
     pixel[TRANSMITTANCE] = (float)(sum->transmittance / rays);
     pixel[A] = 1 - pixel[TRANSMITTANCE];
@@ -36,7 +44,14 @@ static void set_pixel(const murk_sum *sum, int rays, float *pixel)
         pixel[SURFACE_R + c] = (float)(sum->surface[c] / rays);
         pixel[R + c] = pixel[PATH_R + c] + pixel[SURFACE_R + c];
     }
-    pixel[Z] = sum->deep ? (float)(sum->depth / sum->deep) : INFINITY;
+    pixel[Z] = sum->deep ? (float)(sum->distance / sum->deep) : INFINITY;
+    if (!parts)
+        return;
+    pixel[EMITTED] = (float)(fmin(sum->emitted, sum->path) / rays);
+    pixel[SCATTERED] = pixel[PATH_R] - pixel[EMITTED];
+    for (int c = 0; c < 3; c++)
+        pixel[INHERENT_R + c] = (float)(sum->inherent[c] / rays);
+    pixel[DEPTH] = (float)(sum->depth / rays);
 }
 
 static bool shoot_bin(const murk_shot *shot, int column, int row, murk_trace *trace,
@@ -50,10 +65,10 @@ static bool shoot_bin(const murk_shot *shot, int column, int row, murk_trace *tr
                 return false;
             for (int y = 0; y < edge && j + y < image->height; y++)
                 for (int x = 0; x < edge && i + x < image->width; x++)
-                    set_pixel(&sum[y * MURK_BLOCK_PIXELS + x], shot->samples * shot->samples,
-                              image->pixels +
-                                  ((size_t)(j + y) * (size_t)image->width + (size_t)(i + x)) *
-                                      CHANNELS);
+                    set_pixel(
+                        &sum[y * MURK_BLOCK_PIXELS + x], shot->samples * shot->samples, shot->parts,
+                        image->pixels + ((size_t)(j + y) * (size_t)image->width + (size_t)(i + x)) *
+                                            (size_t)image->channels);
         }
     return true;
 }
@@ -118,7 +133,8 @@ murk_status murk_render(murk_context *context, const murk_scene *scene,
     if (status)
         return status;
     murk_image *image = NULL;
-    status = murk_image_create(context, view.size[0], view.size[1], CHANNELS, NAMES, &image);
+    status = murk_image_create(context, view.size[0], view.size[1],
+                               options->parts ? CHANNELS_WITH_PARTS : CHANNELS, NAMES, &image);
     if (status)
         return status;
     murk_shot shot;

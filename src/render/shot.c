@@ -28,6 +28,17 @@ static void set_frame(murk_shot *shot)
     }
 }
 
+/* A second march for the emitted part, where neither all of the light is that nor none. */
+static murk_status take_parts(murk_context *context, murk_shot *shot)
+{
+    const murk_medium *medium = shot->solution->medium;
+    bool emits = medium->emission.field || medium->emission.constant > 0;
+    shot->all_glow = emits && !medium->albedo.field && !(medium->albedo.constant > 0);
+    if (!emits || shot->all_glow)
+        return MURK_OK;
+    return murk_march_glow(context, shot->solution, &shot->march, &shot->glow);
+}
+
 murk_status murk_shot_create(murk_context *context, const murk_solution *solution,
                              const murk_view *view, const murk_render_options *options,
                              murk_shot *out)
@@ -39,9 +50,12 @@ murk_status murk_shot_create(murk_context *context, const murk_solution *solutio
                        .block = samples % 4 == 0   ? 1
                                 : samples % 2 == 0 ? 2
                                                    : 4,
+                       .parts = options->parts,
                        .has_backdrop = !options->no_background};
     set_frame(out);
     murk_status status = murk_march_create(context, solution, &out->march);
+    if (!status && out->parts)
+        status = take_parts(context, out);
     if (!status)
         status = murk_seen(context, solution->medium->grid, out->march.box, view, &out->seen);
     if (!status && out->has_backdrop)
@@ -54,6 +68,7 @@ murk_status murk_shot_create(murk_context *context, const murk_solution *solutio
 
 void murk_shot_clear(murk_shot *shot)
 {
+    murk_free(shot->glow.blocks);
     murk_march_clear(&shot->march);
     murk_bins_clear(&shot->seen);
     murk_backdrop_clear(&shot->backdrop);
@@ -114,7 +129,7 @@ static void look_behind(const murk_shot *shot, const beam *rays, const murk_pack
     }
     for (int l = 0; l < MURK_LANES; l++) {
         double t = rays->t_ground[l];
-        ends.wanted[l] = packet->tau[l] >= MURK_OPAQUE;
+        ends.wanted[l] = shot->parts || packet->tau[l] >= MURK_OPAQUE;
         ends.ground[l] = t < MURK_FOREVER;
         ends.a[l] = view->eye[a] + t * rays->direction[a][l];
         ends.b[l] = view->eye[b] + t * rays->direction[b][l];
@@ -128,7 +143,8 @@ static void look_behind(const murk_shot *shot, const beam *rays, const murk_pack
 
 /* Adds a packet's light, seen through the medium, to the sums of its pixels. */
 static void add(const murk_shot *shot, int i, int j, const murk_packet *packet,
-                const murk_trace *trace, const double behind[3][MURK_LANES], murk_sum *sum)
+                const double glow[MURK_LANES], const murk_trace *trace,
+                const double behind[3][MURK_LANES], murk_sum *sum)
 {
     for (int l = 0; l < MURK_LANES; l++) {
         murk_sum *to = &sum[(j * EDGE + l / EDGE) / shot->samples * MURK_BLOCK_PIXELS +
@@ -139,10 +155,28 @@ static void add(const murk_shot *shot, int i, int j, const murk_packet *packet,
         for (int c = 0; c < 3; c++)
             to->surface[c] += tau * behind[c][l];
         if (depth > 0) {
-            to->depth += murk_trace_half(trace, l, depth);
+            to->distance += murk_trace_half(trace, l, depth);
             to->deep++;
         }
+        to->emitted += glow[l] * M_1_PI;
+        for (int c = 0; c < 3; c++)
+            to->inherent[c] += behind[c][l];
+        to->depth += depth;
     }
+}
+
+/* What zones on the way of a packet radiate by themselves, as the path. */
+static bool march_glow(const murk_shot *shot, const int32_t *brick, size_t count,
+                       const murk_packet *packet, murk_trace *trace, double glow[MURK_LANES])
+{
+    murk_packet again = *packet;
+    memset(glow, 0, MURK_LANES * sizeof *glow);
+    if (!shot->glow.blocks)
+        return true;
+    if (!murk_march_light(&shot->glow, brick, count, &again, trace))
+        return false;
+    memcpy(glow, again.path, MURK_LANES * sizeof *glow);
+    return true;
 }
 
 bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace,
@@ -157,12 +191,13 @@ bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace
         for (int i = 0; i < packets; i++) {
             beam rays;
             murk_packet packet;
-            double behind[3][MURK_LANES];
+            double behind[3][MURK_LANES], glow[MURK_LANES];
             aim(shot, left, top, i, j, &rays, &packet);
-            if (!murk_march_light(&shot->march, brick, count, &packet, trace))
+            if (!march_glow(shot, brick, count, &packet, trace, glow) ||
+                !murk_march_light(&shot->march, brick, count, &packet, trace))
                 return false;
             look_behind(shot, &rays, &packet, behind);
-            add(shot, i, j, &packet, trace, behind, sum);
+            add(shot, i, j, &packet, shot->all_glow ? packet.path : glow, trace, behind, sum);
         }
     return true;
 }

@@ -12,6 +12,9 @@ typedef struct murk_shot {
     int samples; /* rays a pixel and axis */
     int block;   /* pixels along the edge of a block, whose rays fill whole packets */
     murk_march march;
+    bool parts;      /* whether the parts of a sensor's signal are asked for */
+    murk_march glow; /* of what zones radiate by themselves; no blocks: nothing, or all of it */
+    bool all_glow;   /* light is not scattered: the path radiance is emitted */
     murk_bins seen;
     bool has_backdrop;
     murk_backdrop backdrop;
@@ -22,8 +25,9 @@ typedef struct murk_shot {
 /* Sums over the rays of a pixel. */
 typedef struct murk_sum {
     double path, transmittance, surface[3];
-    double depth; /* of the rays that have one: where half of their optical depth is passed [m] */
-    int deep;     /* number of those */
+    double distance;                    /* of rays with depth: where half of it is passed [m] */
+    int deep;                           /* number of those */
+    double emitted, inherent[3], depth; /* where parts are asked for */
 } murk_sum;
 
 /* Pixels along the edge of a block at most. */

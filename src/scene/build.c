@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* From a description to the objects of a scene. */
-#include "pixels.h"
+#include "build.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,19 +12,34 @@ static bool open_vector(const double vector[3])
     return isnan(vector[0]);
 }
 
-/* Passes on the context's message with the scene's key in front, which the library cannot know. */
-static murk_status pass_on(murk_context *context, murk_status status,
-                           const struct scene_description *description, const char *key,
-                           char *message)
+static void write_place(const struct scene_description *description, const char *key,
+                        const char *text, char message[SCENE_MESSAGE_SIZE])
 {
-    if (status == MURK_OK)
-        return status;
-    if (description->path && key)
-        snprintf(message, SCENE_MESSAGE_SIZE, "%s: %s: %s", description->path, key,
-                 murk_context_message(context));
-    else
-        snprintf(message, SCENE_MESSAGE_SIZE, "%s", murk_context_message(context));
+    const char *path = description->path && key ? description->path : "";
+    const char *name = *path && description->name ? description->name : "";
+    snprintf(message, SCENE_MESSAGE_SIZE, "%s%s%s%s%s%s%s", path, *path ? ": " : "",
+             *name ? "band " : "", name, *name ? ": " : "", *path ? key : "", *path ? ": " : "");
+    size_t used = strlen(message);
+    snprintf(message + used, SCENE_MESSAGE_SIZE - used, "%s", text);
+}
+
+murk_status scene_pass_on(murk_context *context, murk_status status,
+                          const struct scene_description *description, const char *key,
+                          char message[SCENE_MESSAGE_SIZE])
+{
+    if (status != MURK_OK)
+        write_place(description, key, murk_context_message(context), message);
     return status;
+}
+
+murk_status scene_refuse(const struct scene_description *description, const char *key,
+                         const char *text, char message[SCENE_MESSAGE_SIZE])
+{
+    if (description->path)
+        write_place(description, key, text, message);
+    else
+        snprintf(message, SCENE_MESSAGE_SIZE, "%s: %s", key, text);
+    return MURK_ERROR_INPUT;
 }
 
 murk_status scene_read_volume(murk_context *context, const struct scene_description *description,
@@ -37,90 +52,7 @@ murk_status scene_read_volume(murk_context *context, const struct scene_descript
     }
     murk_status status = murk_volume_read(context, path, &scene->volume);
     free(path);
-    return pass_on(context, status, description, "medium.file", message);
-}
-
-/* Whether anything shines by what the description itself says. */
-static bool has_light(const struct scene_description *description)
-{
-    return description->sun_named || description->sky_named || description->medium.emission.grid ||
-           description->medium.emission.value > 0.0 || description->emission_image ||
-           description->ground.emission > 0.0;
-}
-
-static murk_status build_light(murk_context *context, const struct scene_description *description,
-                               struct scene *scene, char *message)
-{
-    bool lit = has_light(description);
-    murk_scene *target = &scene->scene, fallback = {0};
-    murk_sun sun = description->sun;
-    if (!lit || description->sun_named || description->sky_named) {
-        murk_ground *ground = NULL;
-        murk_status status =
-            murk_scene_default(context, scene->medium, description->up, &fallback, &ground);
-        if (status != MURK_OK)
-            return pass_on(context, status, description, NULL, message);
-        if (!lit && !description->ground_named)
-            scene->ground = ground;
-        else
-            murk_ground_release(ground);
-    }
-    if (open_vector(sun.direction))
-        memcpy(sun.direction, fallback.sun.direction, sizeof sun.direction);
-    if (isnan(sun.irradiance))
-        sun.irradiance = fallback.sun.irradiance;
-    target->medium = scene->medium;
-    target->ground = scene->ground;
-    if (!lit || description->sun_named)
-        target->sun = sun;
-    if (!lit || description->sky_named)
-        target->sky_radiance =
-            isnan(description->sky_radiance) ? fallback.sky_radiance : description->sky_radiance;
-    return MURK_OK;
-}
-
-static murk_status create_ground(murk_context *context, const struct scene_description *description,
-                                 struct scene *scene, float **reflectance, float **emission,
-                                 char *message)
-{
-    murk_ground_options options = description->ground;
-    murk_status status = MURK_OK;
-    options.up = description->up;
-    if (isnan(options.height)) {
-        murk_medium_info info;
-        status = murk_medium_info_get(scene->medium, &info);
-        options.height = info.box_min[description->up == MURK_UP_Y ? 1 : 2];
-    }
-    if (status == MURK_OK && description->reflectance_image)
-        status = scene_read_pixels(context, description, "ground.reflectance",
-                                   description->reflectance_image, 1.0, options.patches,
-                                   reflectance, message);
-    if (status == MURK_OK && description->emission_image)
-        status =
-            scene_read_pixels(context, description, "ground.emission", description->emission_image,
-                              INFINITY, options.patches, emission, message);
-    if (status != MURK_OK)
-        return status;
-    options.reflectance_image = *reflectance;
-    options.emission_image = *emission;
-    status = murk_ground_fit(context, scene->medium, &scene->scene.sun, &options);
-    if (status == MURK_OK)
-        status = murk_ground_create(context, &options, &scene->ground);
-    scene->scene.ground = scene->ground;
-    return pass_on(context, status, description, "ground", message);
-}
-
-static murk_status build_ground(murk_context *context, const struct scene_description *description,
-                                struct scene *scene, char *message)
-{
-    float *reflectance = NULL, *emission = NULL;
-    if (!description->ground_named)
-        return MURK_OK;
-    murk_status status =
-        create_ground(context, description, scene, &reflectance, &emission, message);
-    free(reflectance);
-    free(emission);
-    return status;
+    return scene_pass_on(context, status, description, "medium.file", message);
 }
 
 static murk_status build_camera(murk_context *context, const struct scene_description *description,
@@ -128,9 +60,9 @@ static murk_status build_camera(murk_context *context, const struct scene_descri
 {
     const murk_camera *given = &description->camera;
     murk_camera *camera = &scene->camera;
-    murk_status status = murk_camera_default(context, &scene->scene, camera);
+    murk_status status = murk_camera_default(context, &scene->band[0].scene, camera);
     if (status != MURK_OK)
-        return pass_on(context, status, description, "camera", message);
+        return scene_pass_on(context, status, description, "camera", message);
     if (!open_vector(given->eye))
         memcpy(camera->eye, given->eye, sizeof camera->eye);
     if (!open_vector(given->target))
@@ -166,19 +98,47 @@ static murk_status build_background(murk_context *context,
     }
     murk_status status = murk_image_read(context, path, &scene->background);
     free(path);
-    return pass_on(context, status, description, "background", message);
+    return scene_pass_on(context, status, description, "background", message);
 }
 
-murk_status scene_build(murk_context *context, const struct scene_description *description,
+static murk_status build_band(murk_context *context, const struct scene_description *description,
+                              const struct scene *scene, bool lit, struct scene_band *band,
+                              char *message)
+{
+    band->name = description->name;
+    band->band = description->wavelength;
+    murk_status status = scene_build_medium(context, description, scene->volume, band, message);
+    if (status == MURK_OK)
+        status = scene_build_light(context, description, lit, band, message);
+    if (status == MURK_OK)
+        status = scene_build_ground(context, description, band, message);
+    return status;
+}
+
+static bool needs_bands(const struct scene_description *description)
+{
+    return description->medium.temperature.grid || description->medium.temperature.value > 0.0 ||
+           !isnan(description->sun_temperature) || !isnan(description->sky_temperature) ||
+           !isnan(description->ground_temperature) || description->temperature_image ||
+           description->obscurant;
+}
+
+murk_status scene_build(murk_context *context, struct scene_description *description,
                         struct scene *scene, char message[SCENE_MESSAGE_SIZE])
 {
-    murk_status status =
-        murk_medium_from_volume(context, scene->volume, &description->medium, &scene->medium);
-    if (status != MURK_OK)
-        return pass_on(context, status, description, "medium", message);
-    status = build_light(context, description, scene, message);
-    if (status == MURK_OK)
-        status = build_ground(context, description, scene, message);
+    struct scene_description *bands;
+    murk_status status = MURK_OK;
+    bool lit = false;
+    if (!description->band_count && needs_bands(description))
+        return scene_refuse(description, "bands",
+                            "temperatures and obscurants need bands to act in: [{\"name\": "
+                            "\"LWIR\", \"wavelength\": [8e-6, 12e-6]}]",
+                            message);
+    scene->band_count = scene_bands(description, &bands);
+    for (size_t n = 0; n < scene->band_count; n++)
+        lit = lit || scene_has_light(&bands[n]);
+    for (size_t n = 0; n < scene->band_count && status == MURK_OK; n++)
+        status = build_band(context, &bands[n], scene, lit, &scene->band[n], message);
     if (status == MURK_OK)
         status = build_camera(context, description, scene, message);
     if (status == MURK_OK)
@@ -189,8 +149,10 @@ murk_status scene_build(murk_context *context, const struct scene_description *d
 void scene_release(struct scene *scene)
 {
     murk_image_release(scene->background);
-    murk_ground_release(scene->ground);
-    murk_medium_release(scene->medium);
+    for (size_t n = 0; n < scene->band_count; n++) {
+        murk_ground_release(scene->band[n].ground);
+        murk_medium_release(scene->band[n].medium);
+    }
     murk_volume_release(scene->volume);
     *scene = (struct scene){0};
 }

@@ -18,13 +18,29 @@ char *scene_path(const struct scene_description *description, const char *file)
     return path;
 }
 
+size_t scene_bands(struct scene_description *description, struct scene_description **bands)
+{
+    *bands = description->band_count ? description->band : description;
+    return description->band_count ? description->band_count : 1;
+}
+
+static size_t take(const char **text, const char **files[SCENE_FILE_MAX], size_t count)
+{
+    if (*text && strcmp(*text, "none"))
+        files[count++] = text;
+    return count;
+}
+
 size_t scene_files(struct scene_description *description, const char **files[SCENE_FILE_MAX])
 {
-    const char **all[SCENE_FILE_MAX] = {&description->medium_file, &description->reflectance_image,
-                                        &description->emission_image, &description->background};
-    size_t count = 0;
-    for (size_t i = 0; i < SCENE_FILE_MAX; i++)
-        if (*all[i] && strcmp(*all[i], "none"))
-            files[count++] = all[i];
+    struct scene_description *bands;
+    size_t count = take(&description->medium_file, files, 0);
+    count = take(&description->background, files, count);
+    for (size_t n = scene_bands(description, &bands); n-- > 0;) {
+        count = take(&bands[n].obscurant, files, count);
+        count = take(&bands[n].reflectance_image, files, count);
+        count = take(&bands[n].emission_image, files, count);
+        count = take(&bands[n].temperature_image, files, count);
+    }
     return count;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The keys of a scene file. */
-#include "keys.h"
+#include "parse.h"
 
 #include <errno.h>
 #include <math.h>
@@ -8,13 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define COUNT(table) (sizeof(table) / sizeof *(table))
-#define FIELD(name)  .offset = offsetof(struct scene_description, name)
-#define WHOLE        .offset = 0
-#define NOT_NEGATIVE .min = 0.0, .max = INFINITY, .range = "a number >= 0"
-
-static bool read_voxels(struct scene_reader *reader, const json_t *value, void *field,
-                        const struct scene_key *key)
+bool scene_read_voxels(struct scene_reader *reader, const json_t *value, void *field,
+                       const struct scene_key *key)
 {
     (void)key;
     const char *text = json_string_value(value);
@@ -35,25 +30,6 @@ static bool read_up(struct scene_reader *reader, const json_t *value, void *fiel
     return true;
 }
 
-static bool read_medium(struct scene_reader *reader, const json_t *value, void *field,
-                        const struct scene_key *key)
-{
-    static const struct scene_key KEYS[] = {
-        {"file", scene_read_text, FIELD(medium_file)},
-        {"extinction", scene_read_quantity, FIELD(medium.extinction), .min = 0.0, .max = INFINITY,
-         .range = "a number >= 0 [1/m]"},
-        {"albedo", scene_read_quantity, FIELD(medium.albedo), .min = 0.0, .max = 1.0,
-         .range = "between 0 and 1"},
-        {"emission", scene_read_quantity, FIELD(medium.emission), NOT_NEGATIVE},
-        {"voxels", read_voxels, FIELD(medium.corner)},
-        {"voxel_size", scene_read_number, FIELD(medium.voxel_size), .min = 0.0, .max = INFINITY,
-         .open = true, .range = "a positive number [m]"},
-        {"strict", scene_read_bool, FIELD(medium.strict)},
-    };
-    (void)key;
-    return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
-}
-
 static bool read_direction(struct scene_reader *reader, const json_t *value, void *field,
                            const struct scene_key *key)
 {
@@ -65,26 +41,37 @@ static bool read_direction(struct scene_reader *reader, const json_t *value, voi
     return true;
 }
 
-static bool read_sun(struct scene_reader *reader, const json_t *value, void *field,
-                     const struct scene_key *key)
+bool scene_read_sun(struct scene_reader *reader, const json_t *value, void *field,
+                    const struct scene_key *key)
 {
     static const struct scene_key KEYS[] = {
         {"direction", read_direction, FIELD(sun.direction)},
         {"irradiance", scene_read_number, FIELD(sun.irradiance), NOT_NEGATIVE},
+        {"temperature", scene_read_number, FIELD(sun_temperature), KELVIN},
     };
     (void)key;
-    ((struct scene_description *)field)->sun_named = true;
+    struct scene_description *description = field;
+    if (json_object_get(value, "irradiance") && json_object_get(value, "temperature"))
+        return scene_fail(reader,
+                          "has an irradiance and a temperature; one follows from the other");
+    if (json_object_get(value, "irradiance"))
+        description->sun_temperature = NAN;
+    description->sun_named = true;
     return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
 }
 
-static bool read_sky(struct scene_reader *reader, const json_t *value, void *field,
-                     const struct scene_key *key)
+bool scene_read_sky(struct scene_reader *reader, const json_t *value, void *field,
+                    const struct scene_key *key)
 {
     static const struct scene_key KEYS[] = {
         {"radiance", scene_read_number, FIELD(sky_radiance), NOT_NEGATIVE},
+        {"temperature", scene_read_number, FIELD(sky_temperature), KELVIN},
     };
     (void)key;
-    ((struct scene_description *)field)->sky_named = true;
+    struct scene_description *description = field;
+    if (json_object_get(value, "radiance") && !json_object_get(value, "temperature"))
+        description->sky_temperature = NAN;
+    description->sky_named = true;
     return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
 }
 
@@ -115,6 +102,14 @@ static bool read_emission(struct scene_reader *reader, const json_t *value, void
                            &description->emission_image, key);
 }
 
+static bool read_temperature(struct scene_reader *reader, const json_t *value, void *field,
+                             const struct scene_key *key)
+{
+    struct scene_description *description = field;
+    return number_or_image(reader, value, &description->ground_temperature,
+                           &description->temperature_image, key);
+}
+
 static bool read_extent(struct scene_reader *reader, const json_t *value, void *field,
                         const struct scene_key *key)
 {
@@ -131,8 +126,8 @@ static bool read_extent(struct scene_reader *reader, const json_t *value, void *
     return true;
 }
 
-static bool read_ground(struct scene_reader *reader, const json_t *value, void *field,
-                        const struct scene_key *key)
+bool scene_read_ground(struct scene_reader *reader, const json_t *value, void *field,
+                       const struct scene_key *key)
 {
     static const struct scene_key KEYS[] = {
         {"height", scene_read_number, FIELD(ground.height), .min = -INFINITY, .max = INFINITY},
@@ -141,6 +136,7 @@ static bool read_ground(struct scene_reader *reader, const json_t *value, void *
          .range = "two whole numbers of patches, each at least 1"},
         {"reflectance", read_reflectance, .min = 0.0, .max = 1.0, .range = "between 0 and 1"},
         {"emission", read_emission, NOT_NEGATIVE},
+        {"temperature", read_temperature, KELVIN},
         {"horizon", scene_read_bool, FIELD(ground.horizon)},
     };
     (void)key;
@@ -168,17 +164,18 @@ static bool read_scene(struct scene_reader *reader, const json_t *root,
                        struct scene_description *description)
 {
     static const struct scene_key KEYS[] = {
-        {"medium", read_medium, WHOLE}, {"sun", read_sun, WHOLE},
-        {"sky", read_sky, WHOLE},       {"ground", read_ground, WHOLE},
-        {"up", read_up, FIELD(up)},     {"voxels", read_voxels, FIELD(medium.corner)},
-        {"camera", read_camera, WHOLE}, {"background", scene_read_text, FIELD(background)},
+        {"medium", scene_read_medium, WHOLE}, {"sun", scene_read_sun, WHOLE},
+        {"sky", scene_read_sky, WHOLE},       {"ground", scene_read_ground, WHOLE},
+        {"up", read_up, FIELD(up)},           {"voxels", scene_read_voxels, FIELD(medium.corner)},
+        {"camera", read_camera, WHOLE},       {"background", scene_read_text, FIELD(background)},
+        {"bands", scene_skip, WHOLE},
     };
     if (!scene_read_object(reader, root, KEYS, COUNT(KEYS), description))
         return false;
     if (!description->medium_file)
         return scene_fail(reader, "no \"medium\" with a \"file\": {\"medium\": {\"file\": "
                                   "\"plume.vdb\"}} is the least");
-    return true;
+    return scene_read_bands(reader, root, description); /* last: they start from all the rest */
 }
 
 void scene_describe_volume(const char *medium_file, struct scene_description *out)
@@ -190,6 +187,11 @@ void scene_describe_volume(const char *medium_file, struct scene_description *ou
         .medium = medium,
         .sun = {{NAN, NAN, NAN}, NAN},
         .sky_radiance = NAN,
+        .concentration = {NULL, 1.0, MURK_FROM_GRID},
+        .mass_extinction = NAN,
+        .sun_temperature = NAN,
+        .sky_temperature = NAN,
+        .ground_temperature = NAN,
         .ground = ground,
         .up = MURK_UP_Z,
         .camera = {{NAN, NAN, NAN}, {NAN, NAN, NAN}, {NAN, NAN, NAN}, NAN, {0, 0}},
@@ -237,5 +239,6 @@ void scene_description_release(struct scene_description *description)
 {
     json_decref(description->root);
     free(description->folder);
+    free(description->band);
     *description = (struct scene_description){0};
 }

@@ -211,9 +211,9 @@ static bool settle(murk_levels *levels)
     murk_levels_estimate(levels);
     for (int b = 0; b < levels->count; b++) {
         struct murk_level_band *band = &levels->band[b];
-        band->settled = band->angular <= murk_levels_goal(levels, band) &&
-                        band->angular + band->spatial + band->iteration <=
-                            levels->options->tolerance;
+        band->settled =
+            band->angular <= murk_levels_goal(levels, band) &&
+            band->angular + band->spatial + band->iteration <= levels->options->tolerance;
         all = all && band->settled;
     }
     return all;

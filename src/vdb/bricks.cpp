@@ -26,24 +26,35 @@ Coord brick_of(const Coord &voxel)
     return Coord(voxel[0] >> 3, voxel[1] >> 3, voxel[2] >> 3);
 }
 
-template <class Grid> auto find_origins(const Grid &grid)
+float pick(double value, int)
+{
+    return float(value);
+}
+
+float pick(const openvdb::Vec3s &value, int component)
+{
+    return value[component];
+}
+
+template <class Grid> auto find_origins(const Grid &grid, int component)
 {
     using Leaf = typename Grid::TreeType::LeafNodeType;
     std::vector<origin<Leaf>> found;
     for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
         if (!leaf->getValueMask().isOff())
             found.push_back({brick_of(leaf->origin()), &*leaf, 0});
-    murk_vdb_each_tile(grid, [&](const CoordBBox &box, double value) {
+    murk_vdb_each_tile(grid, [&](const CoordBBox &box, const auto &value) {
         const CoordBBox bricks(brick_of(box.min()), brick_of(box.max()));
         for (auto at = bricks.begin(); at; ++at)
-            found.push_back({*at, nullptr, float(value)});
+            found.push_back({*at, nullptr, pick(value, component)});
     });
     std::sort(found.begin(), found.end(),
               [](const auto &a, const auto &b) { return a.brick < b.brick; });
     return found;
 }
 
-template <class Leaf> void fill(const origin<Leaf> &from, uint64_t mask[8], float *values)
+template <class Leaf>
+void fill(const origin<Leaf> &from, int component, uint64_t mask[8], float *values)
 {
     if (!from.leaf) {
         std::fill_n(mask, 8, ~uint64_t(0));
@@ -53,15 +64,15 @@ template <class Leaf> void fill(const origin<Leaf> &from, uint64_t mask[8], floa
     for (auto voxel = from.leaf->cbeginValueOn(); voxel; ++voxel) {
         const unsigned slot = voxel.pos();
         mask[slot >> 6] |= uint64_t(1) << (slot & 63);
-        values[slot] = float(*voxel);
+        values[slot] = pick(*voxel, component);
     }
 }
 
-template <class Grid> bool copy(const Grid &grid, murk_bricks &bricks)
+template <class Grid> bool copy(const Grid &grid, int component, murk_bricks &bricks)
 {
-    const auto found = find_origins(grid);
+    const auto found = find_origins(grid, component);
     bricks.count = found.size();
-    bricks.background = float(grid.background());
+    bricks.background = pick(grid.background(), component);
     bricks.brick = static_cast<int32_t(*)[3]>(murk_alloc(found.size(), sizeof *bricks.brick));
     bricks.mask = static_cast<uint64_t(*)[8]>(murk_alloc(found.size(), sizeof *bricks.mask));
     bricks.values =
@@ -71,14 +82,14 @@ template <class Grid> bool copy(const Grid &grid, murk_bricks &bricks)
     for (size_t b = 0; b < found.size(); b++) {
         for (int a = 0; a < 3; a++)
             bricks.brick[b][a] = found[b].brick[a];
-        fill(found[b], bricks.mask[b], bricks.values + b * MURK_BRICK_SLOTS);
+        fill(found[b], component, bricks.mask[b], bricks.values + b * MURK_BRICK_SLOTS);
     }
     return true;
 }
 
 } // namespace
 
-murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t index,
+murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t index, int component,
                             murk_bricks *out) noexcept
 {
     return murk_guard(context, vdb->path.c_str(), [&]() -> murk_status {
@@ -88,7 +99,8 @@ murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t i
                              vdb->path.c_str(), item.name.c_str(), item.unreadable.c_str());
         murk_bricks bricks{};
         bool complete = false;
-        murk_vdb_scalar(*item.grid, [&](const auto &grid) { complete = copy(grid, bricks); });
+        murk_vdb_typed(*item.grid,
+                       [&](const auto &grid) { complete = copy(grid, component, bricks); });
         if (!complete) {
             murk_bricks_clear(&bricks);
             throw std::bad_alloc();

@@ -51,8 +51,22 @@ static const sized *find_size(const sized *list, size_t count, const char *type)
     return NULL;
 }
 
-/* One entry of a metadata map; grid (may be NULL) learns what matters of its own. */
-static void skip_metadatum(murk_cursor *c, murk_vdb_entry *grid)
+/* Takes a text of the file metadata; one that is too long or not plain counts as none. */
+static void take_band(murk_cursor *c, uint64_t size, char out[MURK_VDB_NAME])
+{
+    memset(out, 0, MURK_VDB_NAME);
+    if (size >= MURK_VDB_NAME)
+        murk_skip(c, size);
+    else
+        murk_take(c, out, (size_t)size);
+    for (const char *p = out; *p; p++)
+        if ((unsigned char)*p < ' ')
+            out[0] = 0;
+}
+
+/* One entry of a metadata map; grid (may be NULL) learns what matters of its own, band (may be
+   NULL) that of the file. */
+static void skip_metadatum(murk_cursor *c, murk_vdb_entry *grid, char band[MURK_VDB_NAME])
 {
     char name[MURK_VDB_NAME], type[MURK_VDB_NAME];
     uint64_t start = c->at;
@@ -66,6 +80,8 @@ static void skip_metadatum(murk_cursor *c, murk_vdb_entry *grid)
     bool half = grid && !strcmp(name, "is_saved_as_half_float") && !strcmp(type, "bool");
     if (half)
         grid->is_half = murk_take_number(c, 1) != 0;
+    else if (band && !strcmp(name, "band") && !strcmp(type, "string"))
+        take_band(c, size, band);
     else
         murk_skip(c, size);
     if (!grid || strcmp(type, "__delayedload"))
@@ -76,13 +92,13 @@ static void skip_metadatum(murk_cursor *c, murk_vdb_entry *grid)
     grid->delayed_end = c->at;
 }
 
-static void skip_metadata(murk_cursor *c, murk_vdb_entry *grid)
+static void skip_metadata(murk_cursor *c, murk_vdb_entry *grid, char band[MURK_VDB_NAME])
 {
     uint64_t count = murk_take_number(c, 4);
     if (grid)
         grid->metadata_count = (uint32_t)count;
     for (; count > 0 && !c->trouble; count--)
-        skip_metadatum(c, grid);
+        skip_metadatum(c, grid, band);
 }
 
 static void skip_transform(murk_cursor *c, const murk_vdb_header *header)
@@ -149,7 +165,7 @@ murk_status murk_vdb_check(murk_context *context, const murk_source *source, mur
         murk_cursor_fail(&c, "a flag that is neither 0 nor 1");
     check_uuid(&c);
     header.prefix = c.at;
-    skip_metadata(&c, NULL);
+    skip_metadata(&c, NULL, header.band);
     header.grid_count = (uint32_t)murk_take_number(&c, 4);
     header.first = c.at;
     if (header.grid_count > (c.end - c.at) / SMALLEST_DESCRIPTOR)
@@ -204,7 +220,7 @@ murk_status murk_vdb_check_entry(murk_context *context, const murk_source *sourc
     if (entry.compression > COMPRESSION_BITS)
         murk_cursor_fail(&c, "an unknown compression");
     entry.metadata = c.at;
-    skip_metadata(&c, &entry);
+    skip_metadata(&c, &entry, NULL);
     skip_transform(&c, header);
     entry.tree = c.at;
     if (entry.parent[0])

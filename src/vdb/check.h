@@ -18,7 +18,8 @@ typedef struct murk_vdb_header {
     uint32_t compression; /* of all grids, in formats before 222 */
     uint64_t prefix;      /* bytes from the start to the file metadata */
     uint32_t grid_count;
-    uint64_t first; /* where the first grid's descriptor starts */
+    uint64_t first;           /* where the first grid's descriptor starts */
+    char band[MURK_VDB_NAME]; /* of the file metadata; "": none */
 } murk_vdb_header;
 
 /* One grid's descriptor, and what comes between it and the grid's tree. */

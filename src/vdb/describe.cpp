@@ -135,6 +135,11 @@ int shortest_axis(const murk_grid_info &info)
     return axis;
 }
 
+std::string not_scalar(const murk_vdb_item &item)
+{
+    return "of type " + item.type + ", not a scalar float field";
+}
+
 /* Why murk cannot take a linear transform, or "". */
 std::string find_transform_obstacle(const murk_grid_info &info)
 {
@@ -157,17 +162,17 @@ std::string find_transform_obstacle(const murk_grid_info &info)
     return "";
 }
 
-/* Why a grid is no scalar field for murk, or "". */
+/* Why murk cannot take a grid's values, or "". */
 std::string find_obstacle(const openvdb::GridBase &grid, const murk_vdb_item &item)
 {
     const murk_grid_info &info = item.info;
     uint64_t bricks = 0;
-    const bool scalar = murk_vdb_scalar(grid, [&](const auto &typed) {
+    const bool known = murk_vdb_typed(grid, [&](const auto &typed) {
         murk_vdb_each_tile(
-            typed, [&](const CoordBBox &box, double) { bricks += murk_vdb_bricks_of(box); });
+            typed, [&](const CoordBBox &box, const auto &) { bricks += murk_vdb_bricks_of(box); });
     });
-    if (!scalar)
-        return "of type " + item.type + ", not a scalar float field";
+    if (!known)
+        return not_scalar(item);
     if (grid.getGridClass() == openvdb::GRID_LEVEL_SET)
         return "a level set, not a density; convert it to a fog volume";
     if (!grid.transform().isLinear())
@@ -197,6 +202,10 @@ void murk_vdb_describe(const openvdb::GridBase &grid, murk_vdb_item &item)
     info.active_tiles = grid.constBaseTree().activeTileCount();
     describe_place(grid, info);
     item.unreadable = find_obstacle(grid, item);
+    if (item.unreadable.empty())
+        item.components = grid.isType<openvdb::Vec3SGrid>() ? 3 : 1;
+    if (item.components == 3)
+        item.unreadable = not_scalar(item);
     info.readable = item.unreadable.empty();
     if (!info.readable)
         return;

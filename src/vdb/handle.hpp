@@ -12,18 +12,19 @@
 struct murk_vdb_item {
     murk_grid_info info{};
     std::string name, type, grid_class, unreadable; /* info points to these */
-    openvdb::GridBase::Ptr grid;                    /* null unless readable */
+    int components = 0;                             /* of its values that can be taken */
+    openvdb::GridBase::Ptr grid;                    /* null where there are none */
 };
 
 struct murk_vdb {
-    std::string path;
+    std::string path, band;
     std::deque<murk_vdb_item> items; /* a deque: infos must not move */
 };
 
 /* Bricks that the active tiles of a grid would become at most; beyond that a grid is refused. */
 constexpr uint64_t murk_vdb_tile_bricks = uint64_t(1) << 22;
 
-/* Fills info (numbers, readable) and the strings from the grid. */
+/* Fills info (numbers, readable), the strings and the components from the grid. */
 void murk_vdb_describe(const openvdb::GridBase &grid, murk_vdb_item &item);
 
 /* Bricks of 8^3 voxels that a tile covers. */
@@ -41,6 +42,15 @@ template <class Body> bool murk_vdb_scalar(const openvdb::GridBase &grid, Body &
         body(static_cast<const openvdb::DoubleGrid &>(grid));
     else
         return false;
+    return true;
+}
+
+/* Calls body with the grid as one of those or Vec3SGrid; false for any other type. */
+template <class Body> bool murk_vdb_typed(const openvdb::GridBase &grid, Body &&body)
+{
+    if (!grid.isType<openvdb::Vec3SGrid>())
+        return murk_vdb_scalar(grid, body);
+    body(static_cast<const openvdb::Vec3SGrid &>(grid));
     return true;
 }
 

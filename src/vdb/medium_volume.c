@@ -44,6 +44,8 @@ static murk_status check_options(const assembly *a)
         {"albedo scale", options->albedo.grid ? options->albedo.scale : 0},
         {"emission", options->emission.grid ? 0 : options->emission.value},
         {"emission scale", options->emission.grid ? options->emission.scale : 0},
+        {"temperature", options->temperature.grid ? 0 : options->temperature.value},
+        {"temperature scale", options->temperature.grid ? options->temperature.scale : 0},
         {"voxel size", options->voxel_size},
     };
     murk_status status = MURK_OK;
@@ -124,7 +126,7 @@ static murk_status take_extinction(assembly *a)
 {
     murk_bricks *bricks = &a->parts.kappa_t;
     const murk_quantity *quantity = &a->options->extinction;
-    murk_status status = murk_vdb_bricks(a->context, a->volume->vdb, a->extinction, bricks);
+    murk_status status = murk_vdb_bricks(a->context, a->volume->vdb, a->extinction, 0, bricks);
     if (status)
         return status;
     override_voxel_size(a, bricks);
@@ -153,7 +155,7 @@ static murk_status take_quantity(assembly *a, const murk_quantity *quantity, con
     if (!status)
         status = check_transforms(a, index, name);
     if (!status)
-        status = murk_vdb_bricks(a->context, a->volume->vdb, index, bricks);
+        status = murk_vdb_bricks(a->context, a->volume->vdb, index, 0, bricks);
     if (status)
         return status;
     override_voxel_size(a, bricks);
@@ -173,6 +175,7 @@ murk_status murk_medium_from_volume(murk_context *context, const murk_volume *vo
     murk_medium_parts *parts = &a.parts;
     char where[800];
     parts->corner = a.options->corner;
+    parts->band = a.options->band;
     parts->strict = a.options->strict;
     parts->where = where;
     murk_status status = check_options(&a);
@@ -190,9 +193,17 @@ murk_status murk_medium_from_volume(murk_context *context, const murk_volume *vo
         status = take_quantity(&a, &a.options->emission, "emission", &parts->emission,
                                &parts->emission_scale, &parts->emission_value);
     if (!status)
+        status = take_quantity(&a, &a.options->temperature, "temperature", &parts->temperature,
+                               &parts->temperature_scale, &parts->temperature_value);
+    if (!status && a.options->temperature.grid) {
+        parts->temperature_offset = a.options->temperature_offset;
+        parts->temperature_value += a.options->temperature_offset;
+    }
+    if (!status)
         return murk_medium_build(context, parts, out);
     murk_bricks_clear(&parts->kappa_t);
     murk_bricks_clear(&parts->albedo);
     murk_bricks_clear(&parts->emission);
+    murk_bricks_clear(&parts->temperature);
     return status;
 }

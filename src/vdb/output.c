@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A solution to VDB. */
-#include "solution.h"
+/* Solutions to VDB. */
+#include "band_set.h"
+#include "metadata.h"
+#include "murk/bands.h"
 #include "volume.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { GRIDS_MAX = 5, META_MAX = 40 };
+enum { QUANTITIES = 4, NAME_LENGTH = 64 };
 
 /* The places of a grid as bricks, to be written with other values. */
 static murk_bricks view_bricks(const murk_grid *grid, float *values, const double matrix[16])
@@ -76,114 +77,159 @@ static float *make_values(const murk_solution *solution, double (*find)(const zo
     return values;
 }
 
-/* The grids to write and the arrays behind them. */
+/* What is written of each band; find NULL: the radiosity as it stands in the solution. */
+typedef struct quantity {
+    const char *name;
+    double (*find)(const zone *);
+} quantity;
+
+/* One grid to write: a quantity of one band, or of three. */
+typedef struct layer {
+    char name[NAME_LENGTH];
+    murk_bricks bricks;
+    float *made[3];
+} layer;
+
 typedef struct output {
-    const murk_solution *solution;
+    murk_band_set set;
+    bool coloured; /* bands R, G and B are there: */
+    size_t colour[3];
     double matrix[16];
-    murk_vdb_grid grid[GRIDS_MAX];
-    murk_bricks bricks[GRIDS_MAX];
-    float *made[GRIDS_MAX];
+    murk_vdb_grid *grid;
+    layer *layer; /* behind each of the grids */
     size_t count;
 } output;
 
-static murk_status add_grid(output *o, const char *name, double (*find)(const zone *))
+static murk_status create_output(const murk_band_set *set, const char *path, output *out)
 {
-    size_t i = o->count++;
-    const murk_solution *solution = o->solution;
-    float *values = solution->radiosity;
-    if (find) {
-        values = o->made[i] = make_values(solution, find);
-        if (!values)
-            return murk_fail(solution->context, MURK_ERROR_MEMORY, "grid %s: out of memory", name);
-    }
-    o->bricks[i] = view_bricks(find ? solution->medium->input : solution->grid, values, o->matrix);
-    o->grid[i] = (murk_vdb_grid){.name = name, .bricks = &o->bricks[i]};
+    const murk_solution *first = set->solution[0];
+    size_t capacity = QUANTITIES * set->count + 1;
+    murk_status status = murk_band_set_check(set, strcmp(path, "-") ? path : "standard output");
+    if (status)
+        return status;
+    output o = {.set = *set,
+                .grid = murk_alloc(capacity, sizeof *o.grid),
+                .layer = murk_alloc(capacity, sizeof *o.layer)};
+    o.coloured = murk_band_set_colours(set, o.colour);
+    make_transform(first->grid, o.matrix);
+    *out = o;
+    if (!o.grid || !o.layer)
+        return murk_fail(first->context, MURK_ERROR_MEMORY, "%s: out of memory", path);
     return MURK_OK;
+}
+
+static void clear_output(output *o)
+{
+    for (size_t i = 0; i < o->count; i++)
+        for (int c = 0; c < 3; c++)
+            murk_free(o->layer[i].made[c]);
+    murk_free(o->layer);
+    murk_free(o->grid);
+}
+
+/* Adds the grid of one band, with its name behind the quantity's unless that is NULL, or of the
+   bands of three components. */
+static murk_status add_layer(output *o, const quantity *q, const char *name, const size_t *band,
+                             int components)
+{
+    layer *l = &o->layer[o->count];
+    murk_vdb_grid *grid = &o->grid[o->count++];
+    const murk_solution *solution = o->set.solution[band[0]];
+    float *values[3] = {NULL};
+    snprintf(l->name, sizeof l->name, "%s%s%s", q->name, name ? "_" : "", name ? name : "");
+    for (int c = 0; c < components; c++) {
+        solution = o->set.solution[band[c]];
+        values[c] = solution->radiosity;
+        if (q->find)
+            values[c] = l->made[c] = make_values(solution, q->find);
+        if (!values[c])
+            return murk_fail(o->set.solution[0]->context, MURK_ERROR_MEMORY,
+                             "grid %s: out of memory", l->name);
+    }
+    l->bricks =
+        view_bricks(q->find ? solution->medium->input : solution->grid, values[0], o->matrix);
+    *grid = (murk_vdb_grid){.name = l->name, .bricks = &l->bricks, .y = values[1], .z = values[2]};
+    return MURK_OK;
+}
+
+static murk_status add_quantity(output *o, const char *name, double (*find)(const zone *))
+{
+    const quantity q = {name, find};
+    murk_status status = o->coloured ? add_layer(o, &q, NULL, o->colour, 3) : MURK_OK;
+    for (size_t i = 0; i < o->set.count && !status; i++) {
+        const char *band = o->set.count > 1 ? o->set.name[i] : NULL;
+        if (!o->coloured || murk_band_component(band) < 0)
+            status = add_layer(o, &q, band, &i, 1);
+    }
+    return status;
+}
+
+static murk_status add_extinction(output *o)
+{
+    const quantity q = {"extinction", find_extinction};
+    const size_t any = 0;
+    return murk_band_set_one_extinction(&o->set) ? add_layer(o, &q, NULL, &any, 1)
+                                                 : add_quantity(o, q.name, q.find);
 }
 
 static murk_status add_pass(output *o, const murk_volume *source, int64_t index)
 {
+    murk_context *context = o->set.solution[0]->context;
     const char *name = murk_vdb_info(source->vdb, (size_t)index)->name;
-    murk_status status = murk_volume_check(o->solution->context, source, (size_t)index);
+    murk_status status = murk_volume_check(context, source, (size_t)index);
     if (status)
         return status;
     for (size_t i = 0; i < o->count; i++)
         if (murk_volume_same_name(name, o->grid[i].name))
-            return murk_fail(o->solution->context, MURK_ERROR_INPUT,
+            return murk_fail(context, MURK_ERROR_INPUT,
                              "%s: grid %s has the name of one that murk writes; rename it",
                              murk_vdb_path(source->vdb), name);
     o->grid[o->count++] = (murk_vdb_grid){.pass = source->vdb, .pass_index = (size_t)index};
     return MURK_OK;
 }
 
-static size_t fill_metadata(const murk_solution *solution, const char *command, char sun[128],
-                            murk_vdb_meta meta[META_MAX])
+static murk_status add_grids(output *o, const murk_write_options *options, int64_t pass)
 {
-    const murk_report *r = &solution->report;
-    const double *d = solution->sun.direction;
-    snprintf(sun, 128, "%.9g %.9g %.9g", d[0], d[1], d[2]);
-    const murk_vdb_meta all[] = {
-        {"murk_version", MURK_VERSION, 0},
-        {"command", command, 0},
-        {"units", "W/m^2", 0},
-        {"convention",
-         "radiosity is pi times the isotropic source function; a voxel emits radiosity/pi per unit "
-         "optical depth",
-         0},
-        {"band", "single", 0},
-        {"method", r->method, 0},
-        {"sun_direction", sun, 0},
-        {"sun_irradiance", NULL, solution->sun.irradiance},
-        {"sky_radiance", NULL, solution->sky_radiance},
-        {"zones", NULL, (double)r->zones},
-        {"patches", NULL, (double)r->patches},
-        {"tolerance", NULL, r->tolerance},
-        {"error_estimate", NULL, r->estimate},
-        {"tolerance_reached", r->reached ? "yes" : "no", 0},
-        {"energy_emitted", NULL, r->energy_emitted},
-        {"energy_sun", NULL, r->energy_sun},
-        {"energy_diffuse", NULL, r->energy_diffuse},
-        {"energy_absorbed", NULL, r->energy_absorbed},
-        {"energy_escaped", NULL, r->energy_escaped},
-        {"energy_balance", NULL, r->energy_balance},
-    };
-    size_t count = 0;
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        bool absent = (!strcmp(all[i].name, "command") && !command) ||
-                      (!strcmp(all[i].name, "method") && !r->method);
-        if (!absent)
-            meta[count++] = all[i];
-    }
-    return count;
+    murk_status status = add_quantity(o, "radiosity", NULL);
+    if (!status && options->emission_coefficient)
+        status = add_quantity(o, "emission_coefficient", find_emission);
+    if (!status && options->extinction)
+        status = add_extinction(o);
+    if (!status && options->albedo)
+        status = add_quantity(o, "albedo", find_albedo);
+    if (!status && pass != MURK_NO_GRID)
+        status = add_pass(o, options->source, pass);
+    return status;
+}
+
+murk_status murk_solutions_write(const murk_solution *const *solution, const char *const *name,
+                                 size_t count, const char *path, const murk_write_options *options)
+{
+    static const murk_write_options defaults = MURK_WRITE_DEFAULT;
+    if (!count)
+        return MURK_ERROR_INPUT; /* without a context for words */
+    if (!options)
+        options = &defaults;
+    const murk_band_set set = {.solution = solution, .name = name, .count = count};
+    int64_t pass = options->source ? murk_volume_choose(options->source) : MURK_NO_GRID;
+    output o = {.count = 0};
+    murk_metadata metadata = {0};
+    murk_status status = create_output(&set, path, &o);
+    if (!status)
+        status = add_grids(&o, options, pass);
+    if (!status)
+        status = murk_metadata_make(&set, options->command, &metadata);
+    if (!status)
+        status = murk_vdb_write(solution[0]->context, path, o.grid, o.count, metadata.entry,
+                                metadata.count, pass != MURK_NO_GRID ? options->source->vdb : NULL,
+                                pass != MURK_NO_GRID ? (size_t)pass : 0, options->half);
+    murk_metadata_clear(&metadata);
+    clear_output(&o);
+    return status;
 }
 
 murk_status murk_solution_write(const murk_solution *solution, const char *path,
                                 const murk_write_options *options)
 {
-    static const murk_write_options defaults = MURK_WRITE_DEFAULT;
-    if (!options)
-        options = &defaults;
-    output o = {.solution = solution};
-    make_transform(solution->grid, o.matrix);
-    int64_t pass = options->source ? murk_volume_choose(options->source) : MURK_NO_GRID;
-    murk_status status = add_grid(&o, "radiosity", NULL);
-    if (!status && options->emission_coefficient)
-        status = add_grid(&o, "emission_coefficient", find_emission);
-    if (!status && options->extinction)
-        status = add_grid(&o, "extinction", find_extinction);
-    if (!status && options->albedo)
-        status = add_grid(&o, "albedo", find_albedo);
-    if (!status && pass != MURK_NO_GRID)
-        status = add_pass(&o, options->source, pass);
-    if (!status) {
-        murk_vdb_meta meta[META_MAX];
-        char sun[128];
-        size_t meta_count = fill_metadata(solution, options->command, sun, meta);
-        status = murk_vdb_write(solution->context, path, o.grid, o.count, meta, meta_count,
-                                pass != MURK_NO_GRID ? options->source->vdb : NULL,
-                                pass != MURK_NO_GRID ? (size_t)pass : 0, options->half);
-    }
-    for (size_t i = 0; i < o.count; i++)
-        murk_free(o.made[i]);
-    return status;
+    return murk_solutions_write(&solution, NULL, 1, path, options);
 }

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* A solution back from the VDB that holds its radiosity. */
+#include "band_volume.h"
+#include "murk/bands.h"
 #include "solution.h"
-#include "volume.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Copies the values of voxels that the solution has. NaN, infinite and negative ones become 0 and
@@ -48,30 +50,35 @@ static size_t count_uncovered(const murk_solution *solution, uint64_t (*covered)
     return missing;
 }
 
+/* name may be NULL. */
 static murk_status take_radiosity(murk_context *context, const murk_volume *volume,
-                                  murk_solution *solution)
+                                  const char *name, murk_solution *solution)
 {
     murk_bricks bricks = {0};
     size_t index;
+    int component;
     const char *path = murk_vdb_path(volume->vdb);
-    murk_status status = murk_volume_find(context, volume, "radiosity", &index);
+    murk_status status = murk_volume_find_band(context, volume, name, &index, &component);
     if (!status)
-        status = murk_vdb_bricks(context, volume->vdb, index, &bricks);
+        status = murk_vdb_bricks(context, volume->vdb, index, component, &bricks);
     if (status)
         return status;
+    char grid[300];
+    snprintf(grid, sizeof grid, "%.200s%s%.50s", murk_vdb_info(volume->vdb, index)->name,
+             name ? ", band " : "", name ? name : "");
     uint64_t(*covered)[8] = murk_alloc(solution->grid->brick_count, sizeof *covered);
     if (covered) {
         size_t invalid = copy_values(&bricks, solution, covered);
         size_t missing = count_uncovered(solution, covered);
         if (missing)
             status = murk_fail(context, MURK_ERROR_INPUT,
-                               "%s, grid radiosity: %zu of the medium's %zu zones are missing; "
+                               "%s, grid %s: %zu of the medium's %zu zones are missing; "
                                "solve this medium again",
-                               path, missing, solution->medium->grid->zone_count);
+                               path, grid, missing, solution->medium->grid->zone_count);
         else if (invalid)
             murk_warn(context,
-                      "%s, grid radiosity: %zu voxels are NaN, infinite or negative: treated as 0",
-                      path, invalid);
+                      "%s, grid %s: %zu voxels are NaN, infinite or negative: treated as 0", path,
+                      grid, invalid);
     } else
         status = murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
     murk_free(covered);
@@ -79,14 +86,15 @@ static murk_status take_radiosity(murk_context *context, const murk_volume *volu
     return status;
 }
 
-murk_status murk_solution_from_volume(murk_context *context, const murk_scene *scene,
-                                      const murk_volume *volume, murk_solution **out)
+murk_status murk_solution_from_volume_band(murk_context *context, const murk_scene *scene,
+                                           const murk_volume *volume, const char *name,
+                                           murk_solution **out)
 {
     murk_solution *solution = NULL;
     murk_status status = murk_solution_create(context, scene, 0, &solution);
     if (status)
         return status;
-    status = take_radiosity(context, volume, solution);
+    status = take_radiosity(context, volume, name, solution);
     if (!status)
         status = murk_solution_light_ground(context, solution);
     if (status)
@@ -94,4 +102,10 @@ murk_status murk_solution_from_volume(murk_context *context, const murk_scene *s
     else
         *out = solution;
     return status;
+}
+
+murk_status murk_solution_from_volume(murk_context *context, const murk_scene *scene,
+                                      const murk_volume *volume, murk_solution **out)
+{
+    return murk_solution_from_volume_band(context, scene, volume, NULL, out);
 }

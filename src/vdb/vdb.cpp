@@ -122,6 +122,7 @@ class reader
         : context_(context), source_(from), vdb_(vdb)
     {
         check(murk_vdb_check(context, &from, &header_));
+        vdb.band = header_.band;
         /* A file's offsets are checked to the last before anything is read. */
         uint64_t start = header_.first;
         for (uint32_t i = 0; header_.has_offsets && i < header_.grid_count; i++) {
@@ -171,7 +172,9 @@ class reader
         item.info.type = item.type.c_str();
         item.info.grid_class = item.grid_class.c_str();
         item.info.unreadable = item.info.readable ? nullptr : item.unreadable.c_str();
-        if (item.info.readable)
+        if (item.components == 3 && !is_radiosity(entry))
+            item.components = 0; /* a velocity would take memory for nothing */
+        if (item.components)
             item.grid = grid;
     }
 
@@ -221,9 +224,16 @@ class reader
                                     "%s, grid %s: cannot be read: %s; write the stream again",
                                     source_.where, item.name.c_str(), reason.c_str())};
         item.info = murk_grid_info{};
+        item.components = 0;
         item.type = type_of(entry);
         item.grid_class = "unknown";
         item.unreadable = reason;
+    }
+
+    static bool is_radiosity(const murk_vdb_entry &entry)
+    {
+        const std::string name = entry.name;
+        return name.substr(0, name.find(char(MURK_VDB_SEPARATOR))) == "radiosity";
     }
 
     /* "Tree_float_5_4_3_HalfFloat" is "half". */
@@ -276,6 +286,16 @@ size_t murk_vdb_count(const murk_vdb *vdb) noexcept
 const murk_grid_info *murk_vdb_info(const murk_vdb *vdb, size_t index) noexcept
 {
     return &vdb->items[index].info;
+}
+
+int murk_vdb_components(const murk_vdb *vdb, size_t index) noexcept
+{
+    return vdb->items[index].components;
+}
+
+const char *murk_vdb_band(const murk_vdb *vdb) noexcept
+{
+    return vdb->band.c_str();
 }
 
 const char *murk_vdb_path(const murk_vdb *vdb) noexcept

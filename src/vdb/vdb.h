@@ -28,17 +28,24 @@ size_t murk_vdb_count(const murk_vdb *vdb) MURK_NOEXCEPT;
 const murk_grid_info *murk_vdb_info(const murk_vdb *vdb, size_t index) MURK_NOEXCEPT;
 /* The path it came from, "standard input" for "-". */
 const char *murk_vdb_path(const murk_vdb *vdb) MURK_NOEXCEPT;
+/* The file metadata "band", or "". */
+const char *murk_vdb_band(const murk_vdb *vdb) MURK_NOEXCEPT;
 
-/* Copies a scalar grid into bricks sorted by (x, y, z), active tiles expanded; values are passed on
-   as they are (NaN and negative included). Only for grids whose info says readable. */
-murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t index,
+/* Components that murk_vdb_bricks() can take of a grid: 1 where its info says readable, 3 of a
+   vec3s "radiosity", 0 of any other. */
+int murk_vdb_components(const murk_vdb *vdb, size_t index) MURK_NOEXCEPT;
+
+/* Copies a component of a grid into bricks sorted by (x, y, z), active tiles expanded; values are
+   passed on as they are (NaN and negative included). */
+murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t index, int component,
                             murk_bricks *out) MURK_NOEXCEPT;
 
-/* One grid to write: the active voxels of bricks, or, where pass is set, grid pass_index of pass as
-   it was read. */
+/* One grid to write: the active voxels of bricks, whose values are x of a vec3s grid where y and z
+   are set; or, where pass is set, grid pass_index of pass as it was read. */
 typedef struct murk_vdb_grid {
     const char *name;
     const murk_bricks *bricks;
+    const float *y, *z;
     const murk_vdb *pass;
     size_t pass_index;
 } murk_vdb_grid;
@@ -50,7 +57,7 @@ typedef struct murk_vdb_meta {
     double number;
 } murk_vdb_meta;
 
-/* Writes fog-volume float grids with background 0, real leaf voxels (no tiles, no pruning), and the
+/* Writes fog-volume grids with background 0, real leaf voxels (no tiles, no pruning), and the
    file metadata; half stores 16-bit floats. Where transform_of is set, the grids of bricks get the
    transform of its grid transform_index exactly, else bricks->index_to_world. path "-" streams to
    standard output; any other path is written beside the target and renamed. */

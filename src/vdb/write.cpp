@@ -62,30 +62,46 @@ openvdb::math::Transform::Ptr share_transform(const murk_vdb &vdb, size_t index)
         new openvdb::math::Transform(vdb.items[index].grid->transform()));
 }
 
-openvdb::FloatGrid::Ptr make_grid(const murk_bricks &bricks)
+/* value(i): of slot i of all bricks. */
+template <class Grid, class Value> auto fill_grid(const murk_bricks &bricks, Value &&value)
 {
-    using Leaf = openvdb::FloatTree::LeafNodeType;
-    openvdb::FloatGrid::Ptr grid = openvdb::FloatGrid::create(0.0f);
+    using Leaf = typename Grid::TreeType::LeafNodeType;
+    const auto background = openvdb::zeroVal<typename Grid::ValueType>();
+    auto grid = Grid::create(background);
     for (size_t b = 0; b < bricks.count; b++) {
         const int32_t *at = bricks.brick[b];
-        Leaf *leaf = new Leaf(openvdb::Coord(8 * at[0], 8 * at[1], 8 * at[2]), 0.0f, false);
+        Leaf *leaf = new Leaf(openvdb::Coord(8 * at[0], 8 * at[1], 8 * at[2]), background, false);
         grid->tree().addLeaf(leaf);
-        const float *values = bricks.values + b * MURK_BRICK_SLOTS;
         for (unsigned slot = 0; slot < MURK_BRICK_SLOTS; slot++)
             if (bricks.mask[b][slot >> 6] >> (slot & 63) & 1)
-                leaf->setValueOn(slot, values[slot]);
+                leaf->setValueOn(slot, value(b * MURK_BRICK_SLOTS + slot));
     }
+    return grid;
+}
+
+openvdb::GridBase::Ptr make_grid(const murk_vdb_grid &from)
+{
+    const float *x = from.bricks->values, *y = from.y, *z = from.z;
+    openvdb::GridBase::Ptr grid;
+    if (y)
+        grid = fill_grid<openvdb::Vec3SGrid>(
+            *from.bricks, [=](size_t i) { return openvdb::Vec3s(x[i], y[i], z[i]); });
+    else
+        grid = fill_grid<openvdb::FloatGrid>(*from.bricks, [=](size_t i) { return x[i]; });
     grid->setGridClass(openvdb::GRID_FOG_VOLUME);
     grid->setCreator("murk " MURK_VERSION);
+    grid->setName(from.name);
     return grid;
 }
 
 /* The largest value, for 16-bit floats that end at 65504. */
-float find_maximum(const murk_bricks &bricks)
+float find_maximum(const murk_vdb_grid &from)
 {
+    const float *const components[] = {from.bricks->values, from.y, from.z};
     float maximum = 0;
-    for (size_t i = 0; i < bricks.count * MURK_BRICK_SLOTS; i++)
-        maximum = std::fmax(maximum, std::fabs(bricks.values[i]));
+    for (const float *values : components)
+        for (size_t i = 0; values && i < from.bricks->count * MURK_BRICK_SLOTS; i++)
+            maximum = std::fmax(maximum, std::fabs(values[i]));
     return maximum;
 }
 
@@ -136,14 +152,13 @@ murk_status murk_vdb_write(murk_context *context, const char *path, const murk_v
                 written.push_back(from.pass->items[from.pass_index].grid);
                 continue;
             }
-            const float maximum = as_half ? find_maximum(*from.bricks) : 0;
+            const float maximum = as_half ? find_maximum(from) : 0;
             if (maximum > half_max)
                 return murk_fail(context, MURK_ERROR_INPUT,
                                  "%s, grid %s: %g is more than 16-bit floats hold (65504); write "
                                  "32-bit floats",
                                  where, from.name, double(maximum));
-            openvdb::FloatGrid::Ptr grid = make_grid(*from.bricks);
-            grid->setName(from.name);
+            openvdb::GridBase::Ptr grid = make_grid(from);
             grid->setSaveFloatAsHalf(as_half);
             grid->setTransform(transform_of ? share_transform(*transform_of, transform_index)
                                             : make_transform(from.bricks->index_to_world));

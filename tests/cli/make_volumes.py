@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the small volumes and scenes that the command-line cases read into a folder."""
+"""Writes the small volumes, scenes and pictures that the command-line cases read into a folder."""
 import json
 import math
 import os
 import struct
+import subprocess
 import sys
 
 import pyopenvdb as vdb
@@ -117,5 +118,56 @@ scene("no_volume.json", medium={"file": "missing.vdb"})
 scene("no_ground.json", sky={"radiance": 0.1})
 with open(path("ground.pfm"), "wb") as image:  # 2 x 1 pixels, the second too bright
     image.write(b"Pf\n2 1\n-1.0\n" + struct.pack("<2f", 0.5, 1.5))
+with open(path("mark.pfm"), "wb") as image:  # a bright square on a dark ground
+    image.write(b"Pf\n6 6\n-1.0\n" + struct.pack("<36f", *(
+        0.8 if 2 <= i % 6 < 4 and 2 <= i // 6 < 4 else 0.2 for i in range(36))))
+scene("mark.json", medium={"file": "puff.vdb", "extinction": {"grid": "density", "scale": 0.5}},
+      bands=[{"name": "R"}, {"name": "NIR", "extinction": {"grid": "density", "scale": 0.1}}],
+      sun={"direction": [0, 0, -1], "irradiance": 1.0}, sky={"radiance": 0.1},
+      ground={"extent": [[-0.25, -0.25], [0.95, 0.95]], "height": -0.1, "reflectance": "mark.pfm"},
+      camera={"eye": [0.35, 0.34, 3], "target": [0.35, 0.35, 0], "fov": 20, "size": [40, 40]})
 with open(path("syntax.json"), "w") as text:
     text.write('{"medium": {"file": "puff.vdb"},\n "sun": }\n')
+
+# Pictures of 8 x 6 pixels in two bands: a target of 3 x 2 pixels at 2,1 through ever more smoke.
+BANDS = "R:6e-07:7e-07,LWIR:8e-06:1.2e-05"
+BAND_CHANNELS = ["%s.%s" % (band, channel) for band in ("R", "LWIR")
+                 for channel in ("radiance", "inherent", "transmittance", "scattered", "emitted")]
+
+
+def oiiotool(*arguments):
+    subprocess.run(["oiiotool", *arguments], check=True)
+
+
+def pixel(cl, red, thermal):
+    """The channels where the light before the smoke is red and thermal [W/m^2/sr]; the smoke
+    scatters 0.5 in the red band, and radiates as 290 K do in the thermal one."""
+    values = []
+    for inherent, depth, scattered, emitted in ((red, 2 * cl, 0.5, 0), (thermal, 0.3 * cl, 0, 32.517)):
+        tau = math.exp(-depth)
+        path_light = [(1 - tau) * scattered, (1 - tau) * emitted]
+        values += [tau * inherent + sum(path_light), inherent, tau, *path_light]
+    return "color=" + ",".join("%.9g" % value for value in [*values, cl])
+
+
+def picture(name, cl, *attribute):
+    oiiotool("--create", "8x6", "11", "--chnames", ",".join([*BAND_CHANNELS, "CL.Y"]),
+             "--fill:" + pixel(cl, 2, 38.5004), "8x6",  # 300 K
+             "--fill:" + pixel(cl, 3, 45.1149), "3x2+2+1",  # 310 K
+             *attribute, "-d", "float", "-o", path(name))
+
+
+os.makedirs(path("pics"), exist_ok=True)
+for frame in (1, 2, 4):
+    picture("pics/pic.%04d.exr" % frame, 0.5 * frame, "--attrib", "murk:bands", BANDS)
+picture("pics/unknown.exr", 0.5, "--attrib", "murk:bands", "R:0:0,LWIR:0:0")
+picture("pics/wrong.exr", 0.5, "--attrib", "murk:bands", "R")
+picture("pics/lacking.exr", 0.5, "--attrib", "murk:bands", "NIR:0:0")
+picture("pics/pic.0005.exr", 0.5)
+oiiotool(path("pics/pic.0001.exr"), "--ch", ",".join(BAND_CHANNELS), "-o", path("pics/no_cl.1.exr"))
+for name, place in (("target", "3x2+2+1"), ("target.1", "3x2+2+1"), ("target.2", "2x2+2+1"),
+                    ("background", "8x5")):
+    oiiotool("--create", "8x6", "3", "--fill:color=1,1,1", place, "-d", "uint8", "-o",
+             path("pics/%s.png" % name))
+oiiotool("--create", "4x3", "1", "-d", "uint8", "-o", path("pics/small.png"))
+oiiotool("--create", "8x6", "1", "-d", "uint8", "-o", path("pics/black.png"))

@@ -2,7 +2,9 @@
 /* Only compiled, as C99 and C17: the public headers stand alone and keep to the language. */
 #include "murk/band.h"
 #include "murk/bands.h"
+#include "murk/contrast.h"
 #include "murk/exchange.h"
+#include "murk/false_color.h"
 #include "murk/murk.h"
 #include "murk/plot.h"
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Only compiled, as C++17: the public headers can be used from there.
 #include "murk/band.h"
+#include "murk/bands.h"
+#include "murk/contrast.h"
 #include "murk/exchange.h"
+#include "murk/false_color.h"
 #include "murk/murk.h"
 #include "murk/plot.h"
 

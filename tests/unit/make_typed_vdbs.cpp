@@ -41,5 +41,20 @@ int main(int argc, char **argv)
     write(folder + "instance.vdb", several);
     std::ofstream stream(folder + "stream.vdb", std::ios::binary);
     io::Stream(stream).write(several);
+
+    write(folder + "precise_colours.vdb", {density, box<Vec3DGrid>("radiosity", 1.0)});
+    auto velocity = box<Vec3SGrid>("velocity", 0.5);
+    for (bool half : {false, true}) {
+        auto coloured = box<Vec3SGrid>("radiosity", 0.25);
+        coloured->tree().fill(CoordBBox(Coord(-8), Coord(-1)), Vec3s(1, 2, 3), true);
+        coloured->setSaveFloatAsHalf(half);
+        const GridCPtrVec grids = {coloured, velocity, density};
+        const std::string name = folder + (half ? "half_colours" : "colours");
+        write(name + ".vdb", grids);
+        std::ofstream output(name + "_stream.vdb", std::ios::binary);
+        io::Stream plain(output);
+        plain.setCompression(io::COMPRESS_ACTIVE_MASK);
+        plain.write(grids);
+    }
     return 0;
 }

@@ -130,6 +130,13 @@ def main(folder):
     write(folder, "lit", lit)
     write(folder, "unlit", [grid_of("density", ramp()), grid_of("radiosity", ramp(3))])
 
+    coloured = vdb.Vec3SGrid((0, 0, 0))
+    coloured.name = "radiosity"
+    coloured.fill((-8, -8, -8), (15, 15, 15), (1, 2, 3))
+    write(folder, "coloured", [grid_of("density", ramp()), coloured])
+    coloured.transform = frustum.transform
+    write(folder, "coloured_frustum", [grid_of("density", ramp()), coloured])
+
 
 if __name__ == "__main__":
     main(sys.argv[1])

@@ -48,6 +48,10 @@ static void test_odd_grids(void **state)
         {"active_zeros", "density", "float", "density", NULL, 512, 0, 128, 0},
         {"background", "density", "float", "density", NULL, 64, 0, 64, 0},
         {"beside", "velocity", "vec3s", "smoke", "vec3s", 64, 0, 0, 0},
+        {"coloured", "radiosity", "vec3s", "density", "vec3s", 13824, 27, 0, 0},
+        {"half_colours", "radiosity", "vec3s", "density", "vec3s", 576, 1, 0, 0},
+        {"half_colours_stream", "density", "float", "density", NULL, 64, 0, 64, 0},
+        {"coloured_frustum", "radiosity", "vec3s", "density", "frustum", 13824, 27, 0, 0},
         {"beside", "mask", "bool", "smoke", "bool", 64, 0, 0, 0},
         {"beside", "surface", "float", "smoke", "level set", 2070, 0, 0, 0},
         {"int32", "density", "int32", NULL, "int32", 64, 0, 0, 0},
@@ -138,7 +142,7 @@ static murk_bricks read_bricks(murk_context *context, const murk_vdb *vdb, const
     murk_bricks bricks = {0};
     for (size_t i = 0; i < murk_vdb_count(vdb); i++)
         if (!strcmp(murk_vdb_info(vdb, i)->name, name))
-            assert_int_equal(murk_vdb_bricks(context, vdb, i, &bricks), MURK_OK);
+            assert_int_equal(murk_vdb_bricks(context, vdb, i, 0, &bricks), MURK_OK);
     assert_non_null(bricks.brick);
     return bricks;
 }

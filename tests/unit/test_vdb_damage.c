@@ -2,6 +2,8 @@
 /* Truncated, flipped, foreign and piped VDBs: one line that says why, and never a crash. */
 #include "vdb_files.h"
 
+#include "murk/bands.h"
+
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -91,14 +93,21 @@ static murk_status try_bytes(murk_context *context, const unsigned char *bytes, 
     const char *path = odd("flipped.vdb");
     murk_volume *volume = NULL;
     murk_medium *medium = NULL;
+    murk_solution *solution = NULL;
     save(path, bytes, size);
     murk_status status = murk_volume_read(context, path, &volume);
     if (status) {
         assert_message(context, path);
         return status;
     }
-    if (!murk_medium_from_volume(context, volume, NULL, &medium))
+    if (!murk_medium_from_volume(context, volume, NULL, &medium)) {
+        const murk_scene scene = {.medium = medium};
+        if (!murk_solution_from_volume_band(context, &scene, volume, "G", &solution))
+            murk_solution_release(solution);
+        else
+            assert_message(context, path);
         murk_medium_release(medium);
+    }
     murk_volume_release(volume);
     return MURK_OK;
 }
@@ -127,6 +136,7 @@ static void test_flipped(void **state)
     flip(*state, shipped("plume64_f045.vdb"), 420, 120);
     flip(*state, odd("half.vdb"), 700, 100);
     flip(*state, odd("stream.vdb"), 700, 100);
+    flip(*state, odd("half_colours.vdb"), 700, 100);
 }
 
 /* Every byte of the small file's tables: counts, masks and sizes of blocks. */
@@ -134,6 +144,9 @@ static void test_flipped_tree(void **state)
 {
     flip(*state, odd("rotated.vdb"), (size_t)1 << 30, 400);
     flip(*state, odd("stream.vdb"), (size_t)1 << 30, 200);
+    flip(*state, odd("colours.vdb"), (size_t)1 << 30, 200);
+    flip(*state, odd("half_colours.vdb"), (size_t)1 << 30, 400);
+    flip(*state, odd("half_colours_stream.vdb"), (size_t)1 << 30, 200);
 }
 
 /* A damaged density is not replaced by another grid in silence. */

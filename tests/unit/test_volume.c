@@ -1,29 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Media from volumes, and solutions to VDB and back. */
-#include "vdb_files.h"
-
-#include "solution.h"
-#include "vdb.h"
+#include "lit_volumes.h"
 
 #include <math.h>
-
-static void assert_message(murk_context *context, const char *part)
-{
-    if (!strstr(murk_context_message(context), part))
-        fail_msg("\"%s\" does not say \"%s\"", murk_context_message(context), part);
-}
-
-static murk_medium *make_medium(murk_context *context, const char *file,
-                                const murk_medium_options *options)
-{
-    murk_volume *volume = read_volume(context, odd(file));
-    murk_medium *medium = NULL;
-    murk_status status = murk_medium_from_volume(context, volume, options, &medium);
-    murk_volume_release(volume);
-    if (status)
-        fail_msg("%s", murk_context_message(context));
-    return medium;
-}
 
 static void assert_refused(murk_context *context, const char *file,
                            const murk_medium_options *options, const char *part)
@@ -152,28 +131,13 @@ static void test_names(void **state)
     murk_medium_release(medium);
 }
 
-/* A solution whose radiosity follows from the place, without solving. */
-static murk_solution *make_solution(murk_context *context, const murk_medium *medium)
-{
-    murk_solution *solution = NULL;
-    const murk_scene scene = {.medium = medium, .sun = {{0, 0, -1}, 2}, .sky_radiance = 0.5};
-    if (murk_solution_create(context, &scene, 0, &solution))
-        fail_msg("%s", murk_context_message(context));
-    for (size_t b = 0; b < solution->grid->brick_count; b++)
-        for (int slot = 0; slot < MURK_BRICK_SLOTS; slot++)
-            if (murk_grid_active(solution->grid, b, slot))
-                solution->radiosity[b * MURK_BRICK_SLOTS + (size_t)slot] =
-                    1 + (float)slot / 512 + (float)b;
-    return solution;
-}
-
 static void write_and_check(murk_context *context, const char *file, const char *path,
                             const char *grid, bool half)
 {
     murk_volume *source = read_volume(context, file);
     murk_medium *medium = NULL;
     assert_int_equal(murk_medium_from_volume(context, source, NULL, &medium), MURK_OK);
-    murk_solution *solution = make_solution(context, medium);
+    murk_solution *solution = make_solution(context, medium, 1);
     const murk_write_options options = {.source = source,
                                         .emission_coefficient = true,
                                         .extinction = true,
@@ -219,7 +183,7 @@ static void test_own_transform(void **state)
     murk_medium_options options = MURK_MEDIUM_DEFAULT;
     options.corner = true;
     murk_medium *medium = make_medium(*state, "medium.vdb", &options);
-    murk_solution *solution = make_solution(*state, medium);
+    murk_solution *solution = make_solution(*state, medium, 1);
     assert_int_equal(murk_solution_write(solution, odd("own.vdb"), NULL), MURK_OK);
     murk_volume *volume = read_volume(*state, odd("own.vdb"));
     murk_grid_info info;

@@ -1,0 +1,7 @@
+cat >s.json <<'E'
+{"medium": {"file": "fixtures/puff.vdb"}, "bands": [{"name": "R", "extinction": 2, "mass_extinction": 1}]}
+E
+murk image s.json -o a.exr --threads 1
+status=$?
+rm -f s.json
+exit $status

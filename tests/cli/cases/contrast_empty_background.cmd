@@ -1,0 +1,1 @@
+murk contrast fixtures/pics/pic.0001.exr --target 2,1,3x2 --background 3,1,1x1

@@ -1,0 +1,2 @@
+murk contrast 'fixtures/pics/pic.####.exr' --target 2,1,3x2 --background 0,0,8x5 --frames 1-3 -o table.csv
+wc -l <table.csv

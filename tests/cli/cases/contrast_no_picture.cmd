@@ -1,0 +1,1 @@
+murk contrast missing.exr --target 2,1,3x2 --background 0,0,8x5

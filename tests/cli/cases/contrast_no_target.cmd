@@ -1,0 +1,1 @@
+murk contrast fixtures/pics/pic.0001.exr

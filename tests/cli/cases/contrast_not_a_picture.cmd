@@ -1,0 +1,1 @@
+murk contrast fixtures/puff.json --target 2,1,3x2 --background 0,0,8x5

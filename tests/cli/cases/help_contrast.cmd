@@ -1,0 +1,1 @@
+murk contrast --help

@@ -1,0 +1,1 @@
+murk image fixtures/puff.vdb --scale 2 --threads 1 --size 24x16 -q -o a.exr --preview a.png --show transmittance.Y --range 0:1 && oiiotool --info a.exr a.png && murk image fixtures/puff.vdb --scale 2 --threads 1 --size 24x16 -q -o b.png --show transmittance.Y --range 0:1 && oiiotool a.png b.png --diff | tail -1

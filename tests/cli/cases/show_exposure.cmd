@@ -1,0 +1,1 @@
+murk image fixtures/puff.vdb --scale 2 --threads 1 --size 24x16 -o a.png --show Z --exposure 1

@@ -1,0 +1,1 @@
+murk image fixtures/puff.vdb --scale 2 --threads 1 --size 24x16 -q -o a.exr --radiosity r.vdb && murk render fixtures/puff.vdb --scale 2 --threads 1 --size 24x16 --radiosity r.vdb -q -o b.exr --preview b.png --show Z
