@@ -13,6 +13,26 @@
 extern "C" {
 #endif
 
+/**
+ * Solves scenes that differ in albedo, emission, reflectance and light alone - bands, or suns - as
+ * murk_solve() does each. Neighbours in the list whose media have the same voxels with the same
+ * extinction, and whose grounds have the same patches, are solved together: light of up to three
+ * goes along the same lines at once, which is where most of the time goes. They get the voxels of
+ * the one that needs the smallest, slopes where any of them does, and at first the directions of
+ * the one that needs most. Scenes that do not match the one before them are solved after it, which
+ * the log tells; so are all by the pairwise method.
+ *
+ * scene holds `count` scenes; start is NULL, or tells for each where its iteration starts, as
+ * options->start does for murk_solve(); options->start itself is not looked at. options may be
+ * NULL. The caller has room for `count` solutions in out, which are to be released one by one.
+ * Returns MURK_NOT_REACHED, with all solutions, where the estimated error of any stays above the
+ * tolerance; on any other failure there are none. The report of each solution holds for it, but for
+ * crossings, sweeps and times: these are of all that were solved together.
+ */
+MURK_API murk_status murk_solve_many(murk_context *context, const murk_scene scene[], size_t count,
+                                     const murk_solve_options *options,
+                                     const murk_solution *const start[], murk_solution *out[]);
+
 /** A band to take a picture of. */
 typedef struct murk_band_view {
     const char *name; /**< of letters, digits, _ and -: "R", "LWIR" */

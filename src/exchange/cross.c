@@ -88,6 +88,16 @@ static void store_slab(const struct murk_run *run, const murk_slabs *slabs, int 
     }
 }
 
+/* Whether a brick and the lines that come to it carry no light to speak of in any band. */
+static bool is_dark(const struct murk_run *run, size_t brick, const murk_window *window)
+{
+    const float *source = run->sweep->brick_source + brick * MURK_MOST_BANDS;
+    for (int b = 0; b < run->bands; b++)
+        if (source[b] > run->dark[b])
+            return false;
+    return murk_window_dark(window, run->bands, run->dark);
+}
+
 /* Line i of the block through the brick at a position in its slab. */
 static bool cross_brick(const struct murk_run *run, const struct lattices *lines, int i,
                         const murk_slabs *slabs, int s, size_t at, struct murk_worker *worker)
@@ -102,7 +112,7 @@ static bool cross_brick(const struct murk_run *run, const struct lattices *lines
     if (!murk_plane_open(&worker->plane[i], u + layers->first[0], u + layers->last[0],
                          v + layers->first[1], v + layers->last[1], &window))
         return false;
-    if (sweep->brick_source[b] <= run->dark && murk_window_dark(&window, run->bands, run->dark)) {
+    if (is_dark(run, b, &window)) {
         worker->dark += sweep->brick_zones[b];
         murk_plane_close(&worker->plane[i], &window);
         return true;

@@ -213,14 +213,14 @@ void murk_plane_close(const murk_plane *plane, murk_window *window)
         move(plane, window, true);
 }
 
-bool murk_window_dark(const murk_window *window, int bands, float least)
+bool murk_window_dark(const murk_window *window, int bands, const float *least)
 {
     for (int b = 0; b < bands; b++)
         for (int row = 0; row < window->rows; row++) {
             const float *line = window->state + b * window->band + row * window->stride;
             bool light = false;
             for (int i = 0; i < window->columns; i++)
-                light |= line[i] > least || line[i] < -least;
+                light |= line[i] > least[b] || line[i] < -least[b];
             if (light)
                 return false;
         }

@@ -54,8 +54,8 @@ bool murk_plane_open(murk_plane *plane, int32_t u0, int32_t u1, int32_t v0, int3
                      murk_window *window);
 void murk_plane_close(const murk_plane *plane, murk_window *window);
 
-/* Whether no line of an open window carries more than `least` in any band. */
-bool murk_window_dark(const murk_window *window, int bands, float least);
+/* Whether no line of an open window carries more than least[] in any band. */
+bool murk_window_dark(const murk_window *window, int bands, const float *least);
 
 /* Lets all lines leave; patch_power [bands] and its arrays may be NULL. Adds what they brought in
    minus what they take along to net_power [bands]. */

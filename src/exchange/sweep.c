@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Below this fraction of the brightest source light is as good as none. */
+/* Below this fraction of its band's brightest source light is as good as none. */
 static const double DARK = 1e-12;
 /* Voxels without extinction get this optical depth instead, which no line feels: so their mean of I
    comes from the same division by kappa_t as everywhere. */
@@ -95,7 +95,8 @@ murk_status murk_sweep_create(murk_context *context, const murk_grid *grid, cons
     murk_status status = murk_kernel_choose(context, &sweep->kernel, &sweep->kernel_name);
     if (!status) {
         sweep->brick_kappa = murk_alloc(grid->brick_count, sizeof *sweep->brick_kappa);
-        sweep->brick_source = murk_alloc(grid->brick_count, sizeof *sweep->brick_source);
+        sweep->brick_source =
+            murk_alloc(grid->brick_count * MURK_MOST_BANDS, sizeof *sweep->brick_source);
         sweep->brick_zones = murk_alloc(grid->brick_count, sizeof *sweep->brick_zones);
         bool ok = sweep->brick_kappa && sweep->brick_source && sweep->brick_zones &&
                   make_blocks(sweep, lines, line_count, context->threads);
@@ -289,26 +290,20 @@ static float largest(const float *values, size_t count)
     return value;
 }
 
-/* The brightest that anything is in any band, and in each brick. */
+/* The brightest that anything is in a band, and in each brick. */
 static float find_brightest(const murk_context *context, const murk_sweep *sweep,
-                            const murk_cargo *cargo, int bands)
+                            const murk_cargo *cargo, int band)
 {
-    float most = 0;
+    const float *source = cargo->source;
+    const murk_incoming *incoming = &cargo->incoming;
+    float most = (float)fmax(fabs(incoming->sky), fabs(incoming->horizon));
+    if (incoming->patch && sweep->ground)
+        most = fmaxf(most, largest(incoming->patch, sweep->ground->patch_count));
 #pragma omp parallel for num_threads(context->threads) schedule(static) reduction(max : most)
     for (size_t brick = 0; brick < sweep->grid->brick_count; brick++) {
-        float here = 0;
-        for (int b = 0; b < bands; b++)
-            if (cargo[b].source)
-                here = fmaxf(here,
-                             largest(cargo[b].source + brick * MURK_BRICK_SLOTS, MURK_BRICK_SLOTS));
-        sweep->brick_source[brick] = here;
+        float here = source ? largest(source + brick * MURK_BRICK_SLOTS, MURK_BRICK_SLOTS) : 0;
+        sweep->brick_source[brick * MURK_MOST_BANDS + (size_t)band] = here;
         most = fmaxf(most, here);
-    }
-    for (int b = 0; b < bands; b++) {
-        const murk_incoming *incoming = &cargo[b].incoming;
-        most = fmaxf(most, (float)fmax(fabs(incoming->sky), fabs(incoming->horizon)));
-        if (incoming->patch && sweep->ground)
-            most = fmaxf(most, largest(incoming->patch, sweep->ground->patch_count));
     }
     return most;
 }
@@ -321,11 +316,14 @@ murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, murk_cargo 
     count = count < 1 ? 1 : count;
     struct murk_run run = {
         .sweep = sweep, .cargo = cargo, .bands = bands, .power_factor = power_factor};
-    for (int b = 0; b < bands; b++)
+    float most = 0;
+    for (int b = 0; b < bands; b++) {
         run.incoming[b] = cargo[b].incoming;
+        float brightest = find_brightest(context, sweep, &cargo[b], b);
+        run.dark[b] = (float)(DARK * brightest);
+        most = fmaxf(most, brightest);
+    }
     run.bent = sweep->bent && cargo->slope_tally;
-    float most = find_brightest(context, sweep, cargo, bands);
-    run.dark = (float)(DARK * most);
     bool ok = hire(sweep, count, cargo, bands, run.bent);
     double lines = sweep->zones * sweep->line_count;
     sweep->traced.crossings += lines;

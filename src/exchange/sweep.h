@@ -64,7 +64,7 @@ typedef struct murk_cargo {
  * likewise patch powers. power_factor is 4 for diffuse light (pi I over the sphere), 1 for a beam.
  * The sums over lines are in an order that depends on the number of threads: results agree to
  * 1e-6 relative for different numbers, and bitwise for the same. Bricks whose source and lines are
- * below 1e-12 of the brightest source are passed over.
+ * below 1e-12 of the brightest source, in each band of its own, are passed over.
  */
 murk_status murk_sweep_run(murk_context *context, murk_sweep *sweep, murk_cargo *cargo, int bands,
                            double power_factor);

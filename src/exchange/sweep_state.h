@@ -36,7 +36,7 @@ struct murk_sweep {
     int block_count;
     murk_slabs slabs[3];
     float *brick_kappa;    /* largest kappa_t of each brick */
-    float *brick_source;   /* largest source of each brick in any band of a run */
+    float *brick_source;   /* largest source of each brick in each band of a run */
     uint16_t *brick_zones; /* voxels with extinction */
     double zones;
     murk_kernel_fn *kernel;
@@ -53,7 +53,7 @@ struct murk_run {
     int bands;
     bool bent; /* with slopes */
     double power_factor;
-    float dark; /* light up to this is none */
+    float dark[MURK_MOST_BANDS]; /* light up to this is none */
 };
 
 /* Of a brick laid out in a slab: kappa_t, sources and tallies, then slopes and their tallies. */

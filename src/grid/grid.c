@@ -227,6 +227,16 @@ void murk_grid_direction_from_world(const murk_grid *grid, const double world[3]
             grid->axis[a][0] * world[0] + grid->axis[a][1] * world[1] + grid->axis[a][2] * world[2];
 }
 
+bool murk_grid_same(const murk_grid *a, const murk_grid *b)
+{
+    return a == b || (a->brick_count == b->brick_count &&
+                      !memcmp(a->brick, b->brick, a->brick_count * sizeof *a->brick) &&
+                      !memcmp(a->mask, b->mask, a->brick_count * sizeof *a->mask) &&
+                      !memcmp(a->voxel, b->voxel, sizeof a->voxel) &&
+                      !memcmp(a->axis, b->axis, sizeof a->axis) &&
+                      !memcmp(a->corner, b->corner, sizeof a->corner));
+}
+
 void murk_grid_to_world(const murk_grid *grid, const double frame[3], double world[3])
 {
     murk_grid_direction_to_world(grid, frame, world);

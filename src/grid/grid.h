@@ -58,6 +58,9 @@ int64_t murk_grid_slot(const murk_grid *grid, int32_t i, int32_t j, int32_t k);
 /* Slot number of the voxel one step (1 or -1) from another along an axis, or -1 likewise. */
 int64_t murk_grid_beside(const murk_grid *grid, size_t slot, int axis, int step);
 
+/* Whether two grids have the same active voxels in the same places of the world. */
+bool murk_grid_same(const murk_grid *a, const murk_grid *b);
+
 /* World <-> grid frame. Directions are turned, not scaled. */
 void murk_grid_to_world(const murk_grid *grid, const double frame[3], double world[3]);
 void murk_grid_from_world(const murk_grid *grid, const double world[3], double frame[3]);

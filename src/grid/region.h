@@ -18,6 +18,17 @@ static inline bool murk_region_has(const murk_region *region, const int32_t bric
     return true;
 }
 
+/* The smallest that holds two others. */
+static inline murk_region murk_region_both(const murk_region *a, const murk_region *b)
+{
+    murk_region both = {.limited = a->limited && b->limited};
+    for (int c = 0; c < 3; c++) {
+        both.low[c] = a->low[c] < b->low[c] ? a->low[c] : b->low[c];
+        both.high[c] = a->high[c] > b->high[c] ? a->high[c] : b->high[c];
+    }
+    return both;
+}
+
 /* Whether a line that goes the way `up` on each axis can still come from the brick to the region.
  */
 static inline bool murk_region_ahead(const murk_region *region, const int32_t brick[3],

@@ -222,6 +222,13 @@ done:
     return status;
 }
 
+bool murk_medium_same_extinction(const murk_medium *a, const murk_medium *b)
+{
+    return a == b || (murk_grid_same(a->grid, b->grid) &&
+                      !memcmp(a->kappa_t, b->kappa_t,
+                              a->grid->brick_count * MURK_BRICK_SLOTS * sizeof *a->kappa_t));
+}
+
 murk_medium *murk_medium_share(const murk_medium *medium)
 {
     murk_medium *shared = (murk_medium *)medium;

@@ -48,6 +48,9 @@ typedef struct murk_medium_parts {
 /* Builds a medium and consumes the bricks of parts (also on failure). */
 murk_status murk_medium_build(murk_context *context, murk_medium_parts *parts, murk_medium **out);
 
+/* Whether two media have the same zones with the same kappa_t. */
+bool murk_medium_same_extinction(const murk_medium *a, const murk_medium *b);
+
 /* Shares a medium: one more murk_medium_release() is needed. */
 murk_medium *murk_medium_share(const murk_medium *medium);
 

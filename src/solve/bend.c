@@ -10,7 +10,8 @@
 /* Square of the error that a brick brings with constant sources, weighted as the tolerance is: by
    kappa_t and, in a guess, the same light everywhere. */
 struct share {
-    double error;
+    double error; /* by the highest albedo that a medium has in each zone */
+    double own[MURK_MOST_BANDS];
     int32_t brick;
     bool opaque;
 };
@@ -25,40 +26,47 @@ static int compare_shares(const void *a, const void *b)
                                 : (u->brick > v->brick) - (u->brick < v->brick);
 }
 
-/* The shares of all bricks in ascending order; sum of kappa_t. */
-static double find_shares(const murk_medium *medium, struct share *share)
+/* The share of one brick; adds to the sum of kappa_t. */
+static struct share share_of(const murk_medium *const medium[], int count, size_t brick,
+                             double *all)
 {
-    const double *voxel = medium->grid->voxel;
+    const double *voxel = medium[0]->grid->voxel;
     const double edge = fmax(voxel[0], fmax(voxel[1], voxel[2]));
-    double all = 0;
-    for (size_t b = 0; b < medium->grid->brick_count; b++) {
-        share[b] = (struct share){0, (int32_t)b, false};
-        for (size_t i = b * MURK_BRICK_SLOTS; i < (b + 1) * MURK_BRICK_SLOTS; i++) {
-            double kappa_t = medium->kappa_t[i], albedo = murk_value(&medium->albedo, i);
-            double error = albedo * murk_spatial_flat(edge * kappa_t);
-            share[b].error += kappa_t * error * error;
-            share[b].opaque = share[b].opaque || edge * kappa_t > OPAQUE;
-            all += kappa_t;
+    struct share share = {.brick = (int32_t)brick};
+    for (size_t i = brick * MURK_BRICK_SLOTS; i < (brick + 1) * MURK_BRICK_SLOTS; i++) {
+        double kappa_t = medium[0]->kappa_t[i], flat = murk_spatial_flat(edge * kappa_t), most = 0;
+        for (int m = 0; m < count; m++) {
+            double error = murk_value(&medium[m]->albedo, i) * flat;
+            share.own[m] += kappa_t * error * error;
+            most = fmax(most, error);
         }
+        share.error += kappa_t * most * most;
+        share.opaque = share.opaque || edge * kappa_t > OPAQUE;
+        *all += kappa_t;
     }
-    qsort(share, medium->grid->brick_count, sizeof *share, compare_shares);
-    return all;
+    return share;
 }
 
-static void choose(const murk_medium *medium, double allowed, const int32_t *map,
-                   struct share *share, murk_bend *bend)
+static void choose(const murk_medium *const medium[], int count, double allowed, const int32_t *map,
+                   struct share *share, double flat[], murk_bend *bend)
 {
-    const size_t bricks = medium->grid->brick_count;
-    double all = find_shares(medium, share), flat = 0;
-    size_t n = 0;
-    for (; n < bricks && flat + share[n].error <= allowed * allowed * all; n++)
-        flat += share[n].error;
-    for (; n < bricks; n++)
-        if (share[n].opaque)
-            flat += share[n].error;
-        else
+    const size_t bricks = medium[0]->grid->brick_count;
+    double all = 0, left = 0;
+    for (size_t b = 0; b < bricks; b++)
+        share[b] = share_of(medium, count, b, &all);
+    qsort(share, bricks, sizeof *share, compare_shares);
+    for (int m = 0; m < count; m++)
+        flat[m] = 0;
+    for (size_t n = 0; n < bricks; n++) {
+        left += share[n].error;
+        if (left > allowed * allowed * all && !share[n].opaque)
             bend->zones.place[share[n].brick] = 0;
-    bend->flat = all > 0 ? sqrt(flat / all) : 0;
+        else
+            for (int m = 0; m < count; m++)
+                flat[m] += share[n].own[m];
+    }
+    for (int m = 0; m < count; m++)
+        flat[m] = all > 0 ? sqrt(flat[m] / all) : 0;
     for (size_t b = 0; b < bricks; b++)
         if (bend->zones.place[b] != MURK_NOT_BENT) {
             bend->zones.place[b] = bend->there.place[map[b]] = (int32_t)bend->zones.count;
@@ -68,10 +76,11 @@ static void choose(const murk_medium *medium, double allowed, const int32_t *map
     bend->there.count = bend->zones.count;
 }
 
-murk_status murk_bend_create(murk_context *context, const murk_medium *medium, double allowed,
-                             const murk_grid *grid, const int32_t *map, murk_bend *out)
+murk_status murk_bend_create(murk_context *context, const murk_medium *const medium[], int count,
+                             double allowed, const murk_grid *grid, const int32_t *map,
+                             double flat[], murk_bend *out)
 {
-    const size_t bricks = medium->grid->brick_count;
+    const size_t bricks = medium[0]->grid->brick_count;
     struct share *share = murk_alloc(bricks, sizeof *share);
     murk_bend made = {.zones = {.brick = murk_alloc(bricks, sizeof(int32_t)),
                                 .place = murk_alloc(bricks, sizeof(int32_t))},
@@ -81,14 +90,14 @@ murk_status murk_bend_create(murk_context *context, const murk_medium *medium, d
     if (!share || !made.zones.brick || !made.zones.place || !made.there.brick ||
         !made.there.place) {
         status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
-                           medium->grid->zone_count);
+                           medium[0]->grid->zone_count);
         murk_bend_clear(&made);
     } else {
         for (size_t b = 0; b < bricks; b++)
             made.zones.place[b] = MURK_NOT_BENT;
         for (size_t b = 0; b < grid->brick_count; b++)
             made.there.place[b] = MURK_NOT_BENT;
-        choose(medium, allowed, map, share, &made);
+        choose(medium, count, allowed, map, share, flat, &made);
         *out = made;
     }
     murk_free(share);

@@ -5,6 +5,7 @@
 
 #include "bent.h"
 #include "medium.h"
+#include "murk/exchange.h"
 
 /* The bricks that would bring an error of more than `allowed` [1] all together if their sources
    were constant within zones: those that err most first, but for opaque ones, which it
@@ -12,11 +13,13 @@
    as map[b], too. */
 typedef struct murk_bend {
     murk_bent zones, there;
-    double flat; /* relative error of what is left constant */
 } murk_bend;
 
-murk_status murk_bend_create(murk_context *context, const murk_medium *medium, double allowed,
-                             const murk_grid *grid, const int32_t *map, murk_bend *out);
+/* For media that share kappa_t: within what is allowed for each, and flat[] is the relative error
+   in each of what is left constant. */
+murk_status murk_bend_create(murk_context *context, const murk_medium *const medium[], int count,
+                             double allowed, const murk_grid *grid, const int32_t *map,
+                             double flat[], murk_bend *out);
 void murk_bend_clear(murk_bend *bend);
 
 #endif

@@ -2,20 +2,10 @@
 #include "coarse.h"
 
 #include "coarsen.h"
-#include "conjugate_gradients.h"
 #include "preconditioner.h"
-#include "quadrature.h"
-#include "zonewise.h"
 
 #include <math.h>
 #include <string.h>
-
-/* Larger zones pay where there are enough of them to cost something, and correct well where they
-   are optically thin; both measured on smoke (see murk bench). */
-static const size_t WORTH = 20000;
-static const double THIN = 0.5;
-
-/* ---- fields -------------------------------------------------------------------------------- */
 
 typedef float zone_value(const murk_coarse *coarse, const void *user, size_t i, size_t o);
 
@@ -153,33 +143,9 @@ void murk_coarse_prolong(murk_coarse *coarse, murk_solution *solution)
     }
 }
 
-/* ---- equations ----------------------------------------------------------------------------- */
+/* ---- one band ------------------------------------------------------------------------------ */
 
-/* Optical depth of a typical zone: the mean of kappa_t weighted by itself, across its longest
-   edge. */
-static double zone_depth(const murk_medium *medium)
-{
-    double sum = 0, square = 0;
-    const murk_grid *grid = medium->grid;
-    for (size_t i = 0; i < grid->brick_count * MURK_BRICK_SLOTS; i++) {
-        sum += medium->kappa_t[i];
-        square += (double)medium->kappa_t[i] * medium->kappa_t[i];
-    }
-    double edge = fmax(grid->voxel[0], fmax(grid->voxel[1], grid->voxel[2]));
-    return sum > 0 ? edge * square / sum : 0;
-}
-
-static int choose_shift(const murk_medium *medium)
-{
-    double depth = zone_depth(medium);
-    int shift = 0;
-    while (shift < 2 && 2 * depth * (1 << shift) <= THIN &&
-           medium->grid->zone_count >> 3 * shift > WORTH)
-        shift++;
-    return shift;
-}
-
-static murk_system system_of(const murk_coarse *coarse, murk_lines *lines)
+murk_system murk_coarse_system(const murk_coarse *coarse, murk_lines *lines)
 {
     const murk_ground *ground = coarse->solution->ground;
     return (murk_system){.context = coarse->context,
@@ -194,25 +160,16 @@ static murk_system system_of(const murk_coarse *coarse, murk_lines *lines)
 }
 
 murk_status murk_coarse_create(murk_context *context, const murk_solution *solution,
-                               const murk_stage *stage, const murk_solve_options *options,
-                               murk_coarse *out)
+                               const murk_stage *stage, int shift, murk_coarse *out)
 {
-    murk_coarse made = {
-        .context = context,
-        .solution = solution,
-        .stage = stage,
-        .max_iterations = options->max_iterations,
-        .shift = stage->halved || stage->bend.zones.count ? 0 : choose_shift(solution->medium),
-        .set = stage->bend.zones.count > 0,
-        .around = {M_PI * solution->sky_radiance, solution->horizon}};
-    murk_status status = murk_medium_coarsen(context, solution->medium, made.shift, &made.medium);
+    murk_coarse made = {.context = context,
+                        .solution = solution,
+                        .stage = stage,
+                        .shift = shift,
+                        .around = {M_PI * solution->sky_radiance, solution->horizon}};
+    murk_status status = murk_medium_coarsen(context, solution->medium, shift, &made.medium);
     if (!status)
-        status = murk_lines_create(context, made.medium->grid, made.medium->kappa_t,
-                                   solution->ground, MURK_ORBIT, 1, made.set, &made.lines);
-    if (!status) {
-        murk_lines_bend(made.lines, &stage->bend.zones);
-        made.system = system_of(&made, made.lines);
-    }
+        made.system = murk_coarse_system(&made, NULL);
     murk_vector *vectors[] = {&made.direct, &made.x, &made.r, &made.d};
     for (size_t i = 0; !status && i < sizeof vectors / sizeof *vectors; i++)
         status = murk_vector_create(&made.system, vectors[i]);
@@ -237,107 +194,15 @@ void murk_coarse_clear(murk_coarse *coarse)
     murk_vector_clear(&coarse->r);
     murk_vector_clear(&coarse->d);
     murk_preconditioner_release(coarse->system.preconditioner);
-    murk_lines_release(coarse->lines);
     murk_medium_release(coarse->medium);
     memset(coarse, 0, sizeof *coarse);
 }
 
-static murk_status solve(murk_coarse *coarse, double relative, double absolute)
-{
-    murk_cg_result result;
-    if (murk_vector_zero(&coarse->system, &coarse->r)) {
-        murk_vector_copy(&coarse->system, &coarse->r, &coarse->d);
-        return MURK_OK;
-    }
-    murk_status status = murk_conjugate_gradients(&coarse->system, &coarse->r, &coarse->d, relative,
-                                                  absolute, coarse->max_iterations, &result);
-    if (!status)
-        coarse->iterations += result.iterations;
-    return status;
-}
-
-murk_status murk_coarse_correct(murk_coarse *coarse, double absolute)
-{
-    return solve(coarse, 0.05, absolute);
-}
-
-murk_status murk_coarse_solve(murk_coarse *coarse, const murk_solution *start, double goal)
+void murk_coarse_begin(murk_coarse *coarse, const murk_solution *start)
 {
     const murk_ground *ground = coarse->system.ground;
-    if (start) {
-        restrict_zones(coarse, start_value, start, coarse->x.zone);
-        bool same = ground && start->ground && start->ground->patch_count == ground->patch_count;
-        for (size_t i = 0; i < coarse->system.patches; i++)
-            coarse->x.patch[i] = same ? start->patch[i] : coarse->direct.patch[i];
-    }
-    murk_status status = murk_system_residual(&coarse->system, &coarse->direct, &coarse->around,
-                                              start ? &coarse->x : NULL, &coarse->r, NULL, NULL);
-    double size = start ? sqrt(murk_vector_norm2(&coarse->system, &coarse->x)) : 0;
-    if (!status)
-        status = solve(coarse, start ? 0 : goal, goal * size);
-    if (!status)
-        murk_vector_add(&coarse->system, 1, &coarse->d, &coarse->x);
-    return status;
-}
-
-/* Sets r to the residual of x on other lines. */
-static murk_status find_residual(murk_coarse *coarse, int directions, int rays, int set,
-                                 double *diffuse)
-{
-    murk_lines *lines = NULL;
-    murk_status status =
-        murk_lines_create(coarse->context, coarse->medium->grid, coarse->medium->kappa_t,
-                          coarse->solution->ground, directions, rays, set, &lines);
-    if (status)
-        return status;
-    murk_lines_bend(lines, &coarse->stage->bend.zones);
-    murk_system system = system_of(coarse, lines);
-    status = murk_system_residual(&system, &coarse->direct, &coarse->around, &coarse->x, &coarse->r,
-                                  diffuse ? &coarse->d : NULL, diffuse);
-    murk_coarse_count(coarse, lines);
-    murk_lines_release(lines);
-    return status;
-}
-
-/* Relative to x, zones in the norm of the tolerance, or patches likewise where that is more. */
-static double relative(const murk_coarse *coarse, const murk_vector *d)
-{
-    double size = murk_vector_norm2(&coarse->system, &coarse->x);
-    double zones = size > 0 ? sqrt(murk_vector_norm2(&coarse->system, d) / size) : 0;
-    return fmax(zones, murk_ground_difference(coarse->system.ground, coarse->x.patch, d->patch));
-}
-
-murk_status murk_coarse_lattice(murk_coarse *coarse, double *out)
-{
-    murk_status status = find_residual(coarse, MURK_ORBIT, 1, !coarse->set, NULL);
-    *out = relative(coarse, &coarse->r);
-    return status;
-}
-
-murk_status murk_coarse_probe(murk_coarse *coarse, int directions, int rays, double goal,
-                              murk_probe *out)
-{
-    murk_status status = find_residual(coarse, directions, rays,
-                                       directions == MURK_ORBIT ? coarse->set : 0, &out->diffuse);
-    out->residual = relative(coarse, &coarse->r);
-    double size = sqrt(murk_vector_norm2(&coarse->system, &coarse->x));
-    if (!status)
-        status = murk_coarse_correct(coarse, goal * size);
-    if (status)
-        return status;
-    murk_vector_add(&coarse->system, 1, &coarse->d, &coarse->x);
-    out->change = relative(coarse, &coarse->d);
-    if (coarse->stage->lamps.count) /* bright zones make up the norm: it tells little of others */
-        out->change = fmax(
-            out->change, murk_zonewise_change(coarse->medium, coarse->d.zone, coarse->x.zone) / 5);
-    return MURK_OK;
-}
-
-void murk_coarse_count(murk_coarse *coarse, const murk_lines *lines)
-{
-    const murk_traced *traced = murk_lines_traced(lines);
-    coarse->traced.crossings += traced->crossings;
-    coarse->traced.dark += traced->dark;
-    coarse->traced.beyond += traced->beyond;
-    coarse->traced.seconds += traced->seconds;
+    restrict_zones(coarse, start_value, start, coarse->x.zone);
+    bool same = ground && start->ground && start->ground->patch_count == ground->patch_count;
+    for (size_t i = 0; i < coarse->system.patches; i++)
+        coarse->x.patch[i] = same ? start->patch[i] : coarse->direct.patch[i];
 }

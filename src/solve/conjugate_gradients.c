@@ -21,6 +21,7 @@ static const double WORTH = 10;
 static const double PRECONDITIONED = 0.5;
 
 typedef struct murk_gradients {
+    murk_cg *of;
     murk_system *system;
     murk_vector r, p, q; /* residual, direction, L p and then the preconditioned residual */
     murk_lanczos lanczos;
@@ -28,7 +29,20 @@ typedef struct murk_gradients {
     double least;   /* eigenvalue of the preconditioned operator, or a bound from above */
     murk_sums sums; /* over r and z = P^-1 r */
     double xx, x2;  /* <x, x>, norm2 of x */
+    bool waits;     /* for L times a vector */
+    bool done;
 } murk_gradients;
+
+/* Sets q = L p, or L x, for the bands that wait for it. */
+static murk_status apply(murk_gradients *g, int bands, bool to_x)
+{
+    murk_application of[MURK_MOST_BANDS];
+    int count = 0;
+    for (int b = 0; b < bands; b++)
+        if (g[b].waits)
+            of[count++] = (murk_application){g[b].system, to_x ? g[b].of->x : &g[b].p, &g[b].q};
+    return count ? murk_system_apply(of, count) : MURK_OK;
+}
 
 /* ---- the start ----------------------------------------------------------------------------- */
 
@@ -83,36 +97,42 @@ static bool any_scatters(const murk_system *system, const murk_vector *one)
     return false;
 }
 
-/* Sets x to where the iteration begins and r to b - L x. */
-static murk_status start(murk_gradients *g, const murk_vector *b, murk_vector *x)
+/* x + c p where c makes the error least, from q = L p. */
+static void add_best_constant(murk_gradients *g)
 {
-    murk_system *system = g->system;
-    murk_status status = MURK_OK;
-    murk_vector_copy(system, b, &g->r);
-    if (split(system, b, x, &g->p)) {
-        status = murk_system_apply(system, x, &g->q);
-        if (status)
-            return status;
-        murk_vector_add(system, -1, &g->q, &g->r);
-    }
-    if (!any_scatters(system, &g->p)) {
-        murk_vector_add(system, 1, &g->r, x);
-        murk_vector_add(system, -1, &g->r, &g->r);
-        return MURK_OK;
-    }
-    if (system->escape > 0)
-        return MURK_OK;
-    status = murk_system_apply(system, &g->p, &g->q);
-    if (status)
-        return status;
-    system->escape = escape_of(system, &g->p, &g->q);
-    double lost = murk_vector_product(system, &g->p, &g->q);
+    g->system->escape = escape_of(g->system, &g->p, &g->q);
+    double lost = murk_vector_product(g->system, &g->p, &g->q);
     if (!(lost > 0))
-        return MURK_OK;
-    double c = murk_vector_product(system, &g->p, &g->r) / lost;
-    murk_vector_add(system, c, &g->p, x);
-    murk_vector_add(system, -c, &g->q, &g->r);
-    return MURK_OK;
+        return;
+    double c = murk_vector_product(g->system, &g->p, &g->r) / lost;
+    murk_vector_add(g->system, c, &g->p, g->of->x);
+    murk_vector_add(g->system, -c, &g->q, &g->r);
+}
+
+/* Sets x to where the iteration begins and r to b - L x. */
+static murk_status start(murk_gradients *g, int bands)
+{
+    for (int b = 0; b < bands; b++) {
+        murk_vector_copy(g[b].system, g[b].of->b, &g[b].r);
+        g[b].waits = split(g[b].system, g[b].of->b, g[b].of->x, &g[b].p);
+    }
+    murk_status status = apply(g, bands, true);
+    for (int b = 0; !status && b < bands; b++) {
+        if (g[b].waits)
+            murk_vector_add(g[b].system, -1, &g[b].q, &g[b].r);
+        bool scatters = any_scatters(g[b].system, &g[b].p);
+        if (!scatters) {
+            murk_vector_add(g[b].system, 1, &g[b].r, g[b].of->x);
+            murk_vector_add(g[b].system, -1, &g[b].r, &g[b].r);
+        }
+        g[b].waits = scatters && !(g[b].system->escape > 0);
+    }
+    if (!status)
+        status = apply(g, bands, false);
+    for (int b = 0; !status && b < bands; b++)
+        if (g[b].waits)
+            add_best_constant(&g[b]);
+    return status;
 }
 
 /* ---- the iteration ------------------------------------------------------------------------- */
@@ -146,70 +166,90 @@ static murk_status turn_preconditioned(murk_gradients *g)
     return MURK_OK;
 }
 
-/* One step along p; false where the residual has come down to rounding. */
-static murk_status step(murk_gradients *g, murk_vector *x, bool *done)
+/* One step along p, from q = L p. */
+static void step(murk_gradients *g)
 {
-    murk_status status = murk_system_apply(g->system, &g->p, &g->q);
-    if (status)
-        return status;
     double pq = murk_vector_product(g->system, &g->p, &g->q), before = g->sums.rz;
-    *done = !(pq > 0 && before > 0);
-    if (*done)
-        return MURK_OK;
-    g->xx = murk_vector_step(g->system, before / pq, &g->p, &g->q, x, &g->r, &g->x2);
+    g->done = !(pq > 0 && before > 0); /* the residual has come down to rounding */
+    if (g->done)
+        return;
+    g->xx = murk_vector_step(g->system, before / pq, &g->p, &g->q, g->of->x, &g->r, &g->x2);
     const murk_vector *z = precondition(g);
     double ratio = fmax(0, g->sums.rz / before);
     murk_lanczos_add(&g->lanczos, before / pq, ratio);
     g->least = murk_lanczos_least(&g->lanczos, g->least);
     murk_vector_turn(g->system, z, ratio, &g->p);
-    return MURK_OK;
+    g->of->result.iterations++;
 }
 
-static murk_status iterate(murk_gradients *g, murk_vector *x, double relative, double absolute,
-                           int max_iterations, murk_cg_result *result)
+static void begin(murk_gradients *g)
+{
+    g->least = g->system->escape > 0 ? g->system->escape : 1; /* 1: nothing scatters */
+    g->xx = murk_vector_product(g->system, g->of->x, g->of->x);
+    g->x2 = murk_vector_norm2(g->system, g->of->x);
+    murk_vector_copy(g->system, precondition(g), &g->p);
+    g->of->result = (murk_cg_result){0};
+}
+
+/* Takes stock before a step: whether it is wanted, and with the preconditioner from now on. */
+static murk_status judge(murk_gradients *g, int max_iterations)
+{
+    murk_cg_result *result = &g->of->result;
+    /* Preconditioned, z is about the error itself; else the bound holds for z = r. */
+    result->residual = g->xx > 0 ? sqrt(g->sums.rr / g->xx) : 0;
+    result->error = sqrt(g->sums.z2) / g->least;
+    result->norm = sqrt(g->x2);
+    double goal = fmax(g->of->relative * result->norm, g->of->absolute);
+    g->done = g->sums.rr <= FLOOR * FLOOR * g->xx || result->iterations == max_iterations ||
+              (result->iterations > 1 && result->error <= goal);
+    bool far = !result->iterations || result->error > WORTH * goal;
+    bool slow = g->least < SLOW || g->system->preconditioner;
+    return !g->done && !g->preconditioned && slow && far ? turn_preconditioned(g) : MURK_OK;
+}
+
+static murk_status iterate(murk_gradients *g, int bands, int max_iterations)
 {
     murk_status status = MURK_OK;
-    bool done = false;
-    g->least = g->system->escape > 0 ? g->system->escape : 1; /* 1: nothing scatters */
-    g->xx = murk_vector_product(g->system, x, x);
-    g->x2 = murk_vector_norm2(g->system, x);
-    murk_vector_copy(g->system, precondition(g), &g->p);
-    for (*result = (murk_cg_result){0};; result->iterations++) {
-        /* Preconditioned, z is about the error itself; else the bound holds for z = r. */
-        result->residual = g->xx > 0 ? sqrt(g->sums.rr / g->xx) : 0;
-        result->error = sqrt(g->sums.z2) / g->least;
-        result->norm = sqrt(g->x2);
-        double goal = fmax(relative * result->norm, absolute);
-        if (g->sums.rr <= FLOOR * FLOOR * g->xx || result->iterations == max_iterations ||
-            (result->iterations > 1 && result->error <= goal))
-            break;
-        bool far = !result->iterations || result->error > WORTH * goal;
-        bool slow = g->least < SLOW || g->system->preconditioner;
-        if (!g->preconditioned && slow && far)
-            status = turn_preconditioned(g);
+    for (int b = 0; b < bands; b++)
+        begin(&g[b]);
+    for (bool any = true; !status && any;) {
+        any = false;
+        for (int b = 0; !status && b < bands; b++) {
+            if (!g[b].done)
+                status = judge(&g[b], max_iterations);
+            g[b].waits = !g[b].done;
+            any = any || g[b].waits;
+        }
         if (!status)
-            status = step(g, x, &done);
-        if (status || done)
-            break;
+            status = apply(g, bands, false);
+        for (int b = 0; !status && b < bands; b++)
+            if (g[b].waits)
+                step(&g[b]);
     }
     return status;
 }
 
-murk_status murk_conjugate_gradients(murk_system *system, const murk_vector *b, murk_vector *x,
-                                     double relative, double absolute, int max_iterations,
-                                     murk_cg_result *result)
+murk_status murk_conjugate_gradients(murk_cg *of, int bands, int max_iterations)
 {
-    murk_gradients g = {.system = system};
-    murk_vector *vectors[] = {&g.r, &g.p, &g.q};
-    murk_status status = murk_lanczos_create(system->context, max_iterations, &g.lanczos);
-    for (int i = 0; !status && i < 3; i++)
-        status = murk_vector_create(system, vectors[i]);
+    murk_gradients g[MURK_MOST_BANDS] = {{0}};
+    murk_status status = MURK_OK;
+    for (int b = 0; !status && b < bands; b++) {
+        murk_vector *vectors[] = {&g[b].r, &g[b].p, &g[b].q};
+        g[b].of = &of[b];
+        g[b].system = of[b].system;
+        status = murk_lanczos_create(of[b].system->context, max_iterations, &g[b].lanczos);
+        for (int i = 0; !status && i < 3; i++)
+            status = murk_vector_create(of[b].system, vectors[i]);
+    }
     if (!status)
-        status = start(&g, b, x);
+        status = start(g, bands);
     if (!status)
-        status = iterate(&g, x, relative, absolute, max_iterations, result);
-    for (int i = 0; i < 3; i++)
-        murk_vector_clear(vectors[i]);
-    murk_lanczos_clear(&g.lanczos);
+        status = iterate(g, bands, max_iterations);
+    for (int b = 0; b < bands; b++) {
+        murk_vector_clear(&g[b].r);
+        murk_vector_clear(&g[b].p);
+        murk_vector_clear(&g[b].q);
+        murk_lanczos_clear(&g[b].lanczos);
+    }
     return status;
 }

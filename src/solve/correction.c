@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "correction.h"
 
+#include "apply.h"
 #include "coarsen.h"
 
 #include <math.h>
@@ -26,52 +27,65 @@ static struct defect find_defect(const murk_coarse *coarse, const float *net, co
     return sum;
 }
 
-murk_status murk_correction_spread(murk_coarse *coarse, bool mend, murk_correction *out)
+/* From what has arrived of d, and of a source of 1 in all zones, net as the operator gives it. */
+static void mend_band(const murk_coarse *coarse, const murk_correction *one, bool mend,
+                      murk_correction *out)
 {
-    const size_t slots = coarse->system.slots, patches = coarse->system.patches;
-    const size_t slopes = coarse->system.slopes;
-    bool ground = coarse->solution->ground;
-    murk_status status = MURK_OK;
-    float *one = murk_alloc(slots, sizeof *one), *net_one = murk_alloc(slots, sizeof *net_one);
-    float *net = murk_alloc(slots, sizeof *net),
-          *patch_one = murk_alloc(patches, sizeof *patch_one);
-    float *slope_one = murk_alloc(slopes, sizeof *slope_one);
-    if (!one || !net_one || !net || !patch_one || !slope_one)
-        status = murk_fail(coarse->context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
-                           coarse->medium->grid->zone_count);
-    for (size_t i = 0; !status && i < slots; i++)
-        one[i] = coarse->medium->kappa_t[i] > 0;
-    const murk_radiosity in[2] = {{.zone = coarse->d.zone,
-                                   .slope = coarse->d.slope,
-                                   .patch = ground ? coarse->d.patch : NULL},
-                                  {.zone = one}};
-    murk_incident arrived[2] = {
-        {.zone = net, .slope = out->slope, .patch = ground ? out->patch : NULL},
-        {.zone = net_one, .slope = slope_one, .patch = ground ? patch_one : NULL}};
+    struct defect defect = find_defect(coarse, out->light.zone, one->light.zone);
+    float add = mend && defect.leak > 0 ? (float)(defect.left / defect.leak) : 0;
+    for (size_t i = 0; i < coarse->system.slots; i++)
+        out->light.zone[i] =
+            coarse->medium->kappa_t[i] > 0
+                ? out->light.zone[i] + coarse->d.zone[i] + add * (one->light.zone[i] + 1)
+                : 0;
+    for (size_t j = 0; j < coarse->system.slopes; j++)
+        out->light.slope[j] += coarse->d.slope[j] + add * one->light.slope[j];
+    for (size_t i = 0; i < coarse->system.patches; i++)
+        out->light.patch[i] += add * one->light.patch[i];
+    out->net_power += add * one->net_power;
+}
+
+murk_status murk_correction_spread(murk_coarse *const band[], bool mend, murk_correction out[],
+                                   int count)
+{
+    const murk_coarse *any = band[0];
+    const murk_system *system = &any->system;
+    murk_radiosity in[MURK_MOST_BANDS + 1] = {{0}};
+    murk_incident arrived[MURK_MOST_BANDS + 1];
+    int spread[MURK_MOST_BANDS], n = 0;
+    for (int b = 0; b < count; b++) {
+        if (murk_vector_zero(&band[b]->system, &band[b]->r))
+            continue;
+        in[n] = murk_system_sent(system, &band[b]->d);
+        arrived[n] = murk_system_arriving(system, &out[b].light);
+        spread[n++] = b;
+    }
+    if (!n)
+        return MURK_OK;
+    murk_correction of_one = {.net_power = 0};
+    float *one = murk_alloc(system->slots, sizeof *one);
+    murk_status status = murk_vector_create(system, &of_one.light);
+    if (!status && !one)
+        status = murk_fail(any->context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
+                           any->medium->grid->zone_count);
+    for (size_t i = 0; !status && i < system->slots; i++)
+        one[i] = any->medium->kappa_t[i] > 0;
+    in[n] = (murk_radiosity){.zone = one};
+    arrived[n] = murk_system_arriving(system, &of_one.light);
     if (!status)
-        status = murk_lines_apply(coarse->context, coarse->lines, in, arrived, 2);
-    if (!status) {
-        struct defect defect = find_defect(coarse, net, net_one);
-        float add = mend && defect.leak > 0 ? (float)(defect.left / defect.leak) : 0;
-        for (size_t i = 0; i < slots; i++)
-            coarse->r.zone[i] = coarse->medium->kappa_t[i] > 0
-                                    ? net[i] + coarse->d.zone[i] + add * (net_one[i] + 1)
-                                    : 0;
-        for (size_t j = 0; j < slopes; j++)
-            out->slope[j] += coarse->d.slope[j] + add * slope_one[j];
-        for (size_t i = 0; i < patches; i++)
-            out->patch[i] += add * patch_one[i];
-        out->net_power = arrived[0].net_power + add * arrived[1].net_power;
+        status = murk_apply(any->context, system->method, system->state, in, arrived, n + 1);
+    of_one.net_power = arrived[n].net_power;
+    for (int i = 0; !status && i < n; i++) {
+        out[spread[i]].net_power = arrived[i].net_power;
+        mend_band(band[spread[i]], &of_one, mend, &out[spread[i]]);
     }
     murk_free(one);
-    murk_free(net_one);
-    murk_free(net);
-    murk_free(patch_one);
-    murk_free(slope_one);
+    murk_vector_clear(&of_one.light);
     return status;
 }
 
-void murk_correction_add(const murk_coarse *coarse, const murk_region *region, float *net)
+void murk_correction_add(const murk_coarse *coarse, const murk_correction *correction,
+                         const murk_region *region, float *net)
 {
     const murk_solution *solution = coarse->solution;
     const murk_medium *medium = solution->medium;
@@ -91,7 +105,7 @@ void murk_correction_add(const murk_coarse *coarse, const murk_region *region, f
             float kappa_t = medium->kappa_t[i + s];
             if (!(kappa_t > 0))
                 continue;
-            float more = coarse->r.zone[slots[s]];
+            float more = correction->light.zone[slots[s]];
             light += kappa_t * (net[o + s] + solution->radiosity[o + s]);
             added += kappa_t * more;
             net[o + s] += more;
@@ -110,19 +124,4 @@ void murk_correction_add(const murk_coarse *coarse, const murk_region *region, f
                 net[o] += r * (net[o] + solution->radiosity[o]);
     }
     murk_free(ratio);
-}
-
-murk_status murk_correction_create(const murk_coarse *coarse, murk_correction *out)
-{
-    *out = (murk_correction){.slope = murk_alloc(coarse->system.slopes, sizeof(float)),
-                             .patch = murk_alloc(coarse->system.patches, sizeof(float))};
-    return out->slope && out->patch
-               ? MURK_OK
-               : murk_fail(coarse->context, MURK_ERROR_MEMORY, "out of memory for the ground");
-}
-
-void murk_correction_clear(murk_correction *correction)
-{
-    murk_free(correction->slope);
-    murk_free(correction->patch);
 }

@@ -5,23 +5,21 @@
 
 #include "coarse.h"
 
-/* What arrives of it; G/4 on the coarse zones stands in place of the coarse r. */
+/* What arrives of it. */
 typedef struct murk_correction {
-    float *slope; /* of G/4 */
-    float *patch; /* H */
+    murk_vector light; /* G/4 of the coarse zones, its slopes, and H of the patches */
     double net_power;
 } murk_correction;
 
-/* Nothing as yet. To be cleared also where it fails. */
-murk_status murk_correction_create(const murk_coarse *coarse, murk_correction *out);
-void murk_correction_clear(murk_correction *correction);
-
-/* Lets the coarse lines carry d, plus, where it is to be mended, the constant that makes the
-   energies balance (coarse-mesh rebalance with one cell). */
-murk_status murk_correction_spread(murk_coarse *coarse, bool mend, murk_correction *out);
+/* Lets the coarse lines carry d of each band whose r is not 0, plus, where it is to be mended, the
+   constant that makes the energies balance (coarse-mesh rebalance with one cell). The vectors of
+   `out` hold 0, and keep it where nothing is carried. */
+murk_status murk_correction_spread(murk_coarse *const band[], bool mend, murk_correction out[],
+                                   int count);
 
 /* Adds it to the net light of the region's zones, and to that of the margin in proportion; net is
    on the solution's grid. */
-void murk_correction_add(const murk_coarse *coarse, const murk_region *region, float *net);
+void murk_correction_add(const murk_coarse *coarse, const murk_correction *correction,
+                         const murk_region *region, float *net);
 
 #endif

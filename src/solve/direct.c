@@ -8,7 +8,7 @@
 #include "lines.h"
 #include "pairwise.h"
 #include "preconditioner.h"
-#include "system.h"
+#include "residual.h"
 
 #include <math.h>
 #include <string.h>
@@ -70,14 +70,13 @@ static murk_status gauss_seidel(const murk_system *system, const murk_solve_opti
 static murk_status gradients(murk_system *system, const murk_solve_options *options,
                              const murk_vector *b, murk_vector *x, murk_report *report)
 {
-    murk_cg_result result;
-    murk_status status = murk_conjugate_gradients(system, b, x, 0.1 * options->tolerance, 0,
-                                                  options->max_iterations, &result);
+    murk_cg cg = {.system = system, .b = b, .x = x, .relative = 0.1 * options->tolerance};
+    murk_status status = murk_conjugate_gradients(&cg, 1, options->max_iterations);
     if (status)
         return status;
-    report->iterations = result.iterations;
-    report->residual = result.residual;
-    report->estimate_iteration = result.norm > 0 ? result.error / result.norm : 0;
+    report->iterations = cg.result.iterations;
+    report->residual = cg.result.residual;
+    report->estimate_iteration = cg.result.norm > 0 ? cg.result.error / cg.result.norm : 0;
     report->reached = report->estimate_iteration <= options->tolerance;
     return MURK_OK;
 }
@@ -171,7 +170,8 @@ murk_status murk_solve_pairwise(murk_context *context, murk_solution *solution,
         status = murk_vector_create(&system, &x);
     if (!status) {
         set_direct(&system, stage, &x);
-        status = murk_system_residual(&system, &x, &around, NULL, &b, NULL, NULL);
+        status = murk_system_residual(
+            &(murk_residual){.system = &system, .direct = &x, .around = &around, .r = &b}, 1);
     }
     bool paper = options->solver == MURK_GAUSS_SEIDEL;
     if (!status)

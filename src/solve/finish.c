@@ -143,7 +143,7 @@ static murk_status light_ground(murk_context *context, murk_solution *solution)
 {
     enum { DIRECTIONS = 384 };
     murk_stage stage;
-    murk_status status = murk_stage_create(context, solution, INFINITY, &stage);
+    murk_status status = murk_stage_create(context, &solution, 1, INFINITY, &stage);
     if (status)
         return status;
     status = murk_stage_light_lamps(context, solution, &stage);

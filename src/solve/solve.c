@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "murk/murk.h"
+#include "murk/bands.h"
 
+#include "alike.h"
 #include "levels.h"
 #include "multiplications.h"
 #include "similarity.h"
@@ -56,38 +57,56 @@ static void note_skipped(murk_context *context, const murk_scene *scene, const m
                   iterates ? "" : " iteration;");
 }
 
-static murk_status solve(murk_context *context, const murk_scene *scene,
-                         const murk_solve_options *options, murk_solution **out)
+/* Empty solutions for all scenes. */
+static murk_status create(murk_context *context, const murk_scene scene[], size_t count,
+                          const murk_solve_options *options, murk_solution *solution[])
 {
-    const murk_solve_options o = *options;
+    for (size_t n = 0; n < count; n++) {
+        double start = murk_seconds();
+        murk_status status = murk_solution_create(context, &scene[n], 0, &solution[n]);
+        if (status)
+            return status;
+        murk_report *report = &solution[n]->report;
+        report->seconds_setup = murk_seconds() - start;
+        count_multiplications(report, options->window);
+        report->tolerance = options->tolerance;
+        report->reached = true;
+        report->subdivision = 1;
+    }
+    return MURK_OK;
+}
+
+static murk_status solve_pairwise(murk_context *context, murk_solution *solution,
+                                  const murk_solve_options *options)
+{
     double start = murk_seconds();
-    murk_solution *solution = NULL;
     murk_stage stage = {0};
-    murk_status status = murk_solution_create(context, scene, 0, &solution);
-    if (status)
-        return status;
-    murk_report *report = &solution->report;
-    double setup = murk_seconds();
-    report->seconds_setup = setup - start;
-    count_multiplications(report, o.window);
-    report->tolerance = o.tolerance;
-    report->reached = true;
-    murk_progress(context, "light", 0);
-    report->subdivision = 1;
-    if (o.method == MURK_PAIRWISE) {
-        status = murk_stage_create(context, solution, INFINITY, &stage);
-        report->seconds_light = murk_seconds() - setup;
-        if (!status)
-            status = murk_solve_pairwise(context, solution, &stage, &o);
-        murk_stage_clear(&stage);
-    } else {
-        status = murk_solve_lines(context, solution, &o);
+    murk_status status = murk_stage_create(context, &solution, 1, INFINITY, &stage);
+    solution->report.seconds_light = murk_seconds() - start;
+    if (!status)
+        status = murk_solve_pairwise(context, solution, &stage, options);
+    murk_stage_clear(&stage);
+    return status;
+}
+
+/* How many of the solutions, from the first on, can be found together. */
+static int count_alike(murk_context *context, murk_solution *const solution[], size_t left,
+                       const murk_solve_options *options)
+{
+    if (options->method == MURK_PAIRWISE)
+        return 1;
+    for (int n = 1; n < MURK_MOST_BANDS && (size_t)n < left; n++) {
+        const char *other = murk_solutions_differ(solution[0], solution[n]);
+        if (!other)
+            continue;
+        murk_note(context, "a scene has %s than the one before it: solved after it", other);
+        return n;
     }
-    murk_progress(context, "solve", 1);
-    if (status && status != MURK_NOT_REACHED) {
-        murk_solution_release(solution);
-        return status;
-    }
+    return left < MURK_MOST_BANDS ? (int)left : MURK_MOST_BANDS;
+}
+
+static void note_report(murk_context *context, const murk_scene *scene, const murk_report *report)
+{
     note_skipped(context, scene, report);
     if (report->subdivision > 1)
         murk_note(context, "thick voxels: solved on %d times smaller ones each way",
@@ -96,39 +115,119 @@ static murk_status solve(murk_context *context, const murk_scene *scene,
         murk_note(context,
                   "lamps: %llu emitters, their light gathered line of sight by line of sight",
                   (unsigned long long)report->lamps);
-    *out = solution;
-    return status;
 }
 
-/* Solves the reduced medium; what the iteration starts from is likewise that of the reduced one. */
-static murk_status solve_reduced(murk_context *context, const murk_scene *scene,
-                                 const murk_solve_options *options, murk_solution **out)
+/* Fills all solutions, those that are alike together. */
+static murk_status fill(murk_context *context, const murk_scene scene[], size_t count,
+                        const murk_solve_options *options, const murk_solution *const start[],
+                        murk_solution *const solution[])
 {
-    murk_scene similar = *scene;
-    murk_solve_options o = *options;
-    murk_solution start = {0}, *solution = NULL;
-    murk_medium *medium = NULL;
-    bool forward = o.start && o.start->medium->asymmetry != 0;
-    murk_status status =
-        murk_medium_reduce(context, scene->medium, scene->medium->asymmetry, &medium);
-    if (!status && forward)
-        status = murk_similarity_reduce(context, o.start, &start);
-    if (!status) {
-        similar.medium = medium;
-        o.start = forward ? &start : o.start;
-        status = solve(context, &similar, &o, &solution);
+    murk_status worst = MURK_OK;
+    for (size_t first = 0, n; first < count; first += n) {
+        n = (size_t)count_alike(context, solution + first, count - first, options);
+        murk_progress(context, "light", 0);
+        murk_status status = options->method == MURK_PAIRWISE
+                                 ? solve_pairwise(context, solution[first], options)
+                                 : murk_solve_lines(context, solution + first, (int)n, options,
+                                                    start ? start + first : NULL);
+        murk_progress(context, "solve", 1);
+        if (status && status != MURK_NOT_REACHED)
+            return status;
+        worst = status ? status : worst;
+        for (size_t i = first; i < first + n; i++)
+            note_report(context, &scene[i], &solution[i]->report);
     }
-    if (!status || status == MURK_NOT_REACHED) {
-        murk_similarity_restore(solution, scene->medium);
-        *out = solution;
+    return worst;
+}
+
+static murk_status solve(murk_context *context, const murk_scene scene[], size_t count,
+                         const murk_solve_options *options, const murk_solution *const start[],
+                         murk_solution *out[])
+{
+    murk_solution **solution = murk_alloc(count, sizeof *solution);
+    if (!solution)
+        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu scenes", count);
+    murk_status status = create(context, scene, count, options, solution);
+    if (!status)
+        status = fill(context, scene, count, options, start, solution);
+    for (size_t n = 0; n < count; n++) {
+        if (status && status != MURK_NOT_REACHED)
+            murk_solution_release(solution[n]);
+        else
+            out[n] = solution[n];
     }
-    murk_similarity_clear(&start);
-    murk_medium_release(medium);
+    murk_free(solution);
     return status;
 }
 
-murk_status murk_solve(murk_context *context, const murk_scene *scene,
-                       const murk_solve_options *options, murk_solution **out)
+/* ---- forward scattering -------------------------------------------------------------------- */
+
+static bool scatters_forward(const murk_medium *medium)
+{
+    return medium && medium->asymmetry != 0;
+}
+
+/* The scenes that are solved in place of those whose media scatter forward, and where their
+   iterations start. What is not such a medium or start is 0 here. */
+typedef struct similar {
+    murk_scene *scene;
+    murk_medium **medium;
+    murk_solution *begun;
+    const murk_solution **start;
+} similar;
+
+static murk_status reduce(murk_context *context, const murk_scene *scene,
+                          const murk_solution *start, size_t n, similar *to)
+{
+    murk_status status = MURK_OK;
+    to->scene[n] = *scene;
+    to->start[n] = start;
+    if (scatters_forward(scene->medium)) {
+        status =
+            murk_medium_reduce(context, scene->medium, scene->medium->asymmetry, &to->medium[n]);
+        to->scene[n].medium = to->medium[n];
+    }
+    if (!status && start && scatters_forward(start->medium)) {
+        status = murk_similarity_reduce(context, start, &to->begun[n]);
+        to->start[n] = &to->begun[n];
+    }
+    return status;
+}
+
+static murk_status solve_similar(murk_context *context, const murk_scene scene[], size_t count,
+                                 const murk_solve_options *options,
+                                 const murk_solution *const start[], murk_solution *out[])
+{
+    similar to = {.scene = murk_alloc(count, sizeof *to.scene),
+                  .medium = murk_alloc(count, sizeof(murk_medium *)),
+                  .begun = murk_alloc(count, sizeof *to.begun),
+                  .start = murk_alloc(count, sizeof(murk_solution *))};
+    murk_status status = MURK_OK;
+    if (!to.scene || !to.medium || !to.begun || !to.start) {
+        status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu scenes", count);
+        count = 0;
+    }
+    for (size_t n = 0; !status && n < count; n++)
+        status = reduce(context, &scene[n], start ? start[n] : NULL, n, &to);
+    if (!status)
+        status = solve(context, to.scene, count, options, to.start, out);
+    for (size_t n = 0; n < count; n++) {
+        if (to.medium[n] && (!status || status == MURK_NOT_REACHED))
+            murk_similarity_restore(out[n], scene[n].medium);
+        if (to.start[n] == &to.begun[n])
+            murk_similarity_clear(&to.begun[n]);
+        murk_medium_release(to.medium[n]);
+    }
+    murk_free(to.scene);
+    murk_free(to.medium);
+    murk_free(to.begun);
+    murk_free(to.start);
+    return status;
+}
+
+murk_status murk_solve_many(murk_context *context, const murk_scene scene[], size_t count,
+                            const murk_solve_options *options, const murk_solution *const start[],
+                            murk_solution *out[])
 {
     const murk_solve_options defaults = MURK_SOLVE_DEFAULT;
     murk_solve_options o = options ? *options : defaults;
@@ -137,7 +236,16 @@ murk_status murk_solve(murk_context *context, const murk_scene *scene,
     murk_status status = check(context, &o);
     if (status)
         return status;
-    if (scene->medium && scene->medium->asymmetry != 0)
-        return solve_reduced(context, scene, &o, out);
-    return solve(context, scene, &o, out);
+    bool forward = false;
+    for (size_t n = 0; n < count; n++)
+        forward = forward || scatters_forward(scene[n].medium) ||
+                  (start && start[n] && scatters_forward(start[n]->medium));
+    return forward ? solve_similar(context, scene, count, &o, start, out)
+                   : solve(context, scene, count, &o, start, out);
+}
+
+murk_status murk_solve(murk_context *context, const murk_scene *scene,
+                       const murk_solve_options *options, murk_solution **out)
+{
+    return murk_solve_many(context, scene, 1, options, options ? &options->start : NULL, out);
 }

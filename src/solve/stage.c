@@ -15,54 +15,111 @@ static int beam_rays(double tolerance)
     return tolerance > 0 && tolerance < 0.005 ? 16 : 8;
 }
 
-murk_status murk_stage_create(murk_context *context, const murk_solution *solution, double allowed,
-                              murk_stage *out)
+/* What stages share: the medium on the solutions' grid. */
+static murk_status lay_medium(murk_context *context, murk_solution *const solution[], int count,
+                              double allowed, murk_stage stage[])
 {
-    const murk_medium *medium = solution->medium;
-    const murk_ground *ground = solution->ground;
-    const murk_grid *from = medium->grid, *to = solution->grid;
-    size_t slots = to->brick_count * MURK_BRICK_SLOTS;
-    murk_stage stage = {.map = murk_alloc(from->brick_count, sizeof *stage.map),
-                        .kappa_t = murk_alloc(slots, sizeof(float)),
-                        .beam = murk_alloc(slots, sizeof(float)),
-                        .patch = murk_alloc(ground ? ground->patch_count : 0, sizeof(float)),
-                        .emission = medium->emission};
-    murk_status status = MURK_OK;
-    if (!stage.map || !stage.kappa_t || !stage.beam || !stage.patch) {
-        status =
-            murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones", from->zone_count);
-    } else {
-        for (size_t b = 0; b < from->brick_count; b++)
-            stage.map[b] =
-                murk_grid_find(to, from->brick[b][0], from->brick[b][1], from->brick[b][2]);
-        murk_stage_spread(&stage, from, medium->kappa_t, stage.kappa_t);
-        status = murk_bend_create(context, medium, allowed, to, stage.map, &stage.bend);
-        const size_t slopes = stage.bend.there.count * MURK_BENT_SLOTS;
-        stage.beam_slope = murk_alloc(slopes, sizeof *stage.beam_slope);
-        if (!status && !stage.beam_slope)
-            status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
-                               from->zone_count);
-        if (!status)
-            status =
-                murk_beam(context, to, stage.kappa_t, ground, &solution->sun,
-                          beam_rays(solution->report.tolerance), slopes ? &stage.bend.there : NULL,
-                          stage.beam, stage.beam_slope, stage.patch, &stage.extinguished);
-        for (size_t i = 0; ground && i < ground->patch_count; i++)
-            stage.patch[i] = ground->emission[i] + ground->reflectance[i] * stage.patch[i];
+    const murk_medium *medium[MURK_MOST_BANDS];
+    const murk_grid *from = solution[0]->medium->grid, *to = solution[0]->grid;
+    double flat[MURK_MOST_BANDS];
+    stage->map = murk_alloc(from->brick_count, sizeof *stage->map);
+    stage->kappa_t = murk_alloc(to->brick_count * MURK_BRICK_SLOTS, sizeof(float));
+    if (!stage->map || !stage->kappa_t)
+        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
+                         from->zone_count);
+    for (size_t b = 0; b < from->brick_count; b++)
+        stage->map[b] = murk_grid_find(to, from->brick[b][0], from->brick[b][1], from->brick[b][2]);
+    murk_stage_spread(stage, from, solution[0]->medium->kappa_t, stage->kappa_t);
+    for (int n = 0; n < count; n++)
+        medium[n] = solution[n]->medium;
+    murk_status status =
+        murk_bend_create(context, medium, count, allowed, to, stage->map, flat, &stage->bend);
+    for (int n = 0; !status && n < count; n++) {
+        if (n)
+            stage[n] = (murk_stage){
+                .map = stage->map, .kappa_t = stage->kappa_t, .bend = stage->bend, .borrows = true};
+        stage[n].flat = flat[n];
+        stage[n].emission = medium[n]->emission;
     }
-    if (status)
-        murk_stage_clear(&stage);
-    else
-        *out = stage;
+    return status;
+}
+
+/* The same beam but for its strength, in `ratio`; 0 where one of the two is none. */
+static double ratio_of(const murk_solution *solution, const murk_solution *like)
+{
+    double direction[2][3];
+    if (!murk_beam_direction(solution->ground, &solution->sun, direction[0]) ||
+        !murk_beam_direction(like->ground, &like->sun, direction[1]) ||
+        memcmp(direction[0], direction[1], sizeof direction[0]))
+        return 0;
+    return solution->sun.irradiance / like->sun.irradiance;
+}
+
+static void scale(const float *from, double ratio, size_t count, float *to)
+{
+    for (size_t i = 0; i < count; i++)
+        to[i] = (float)(ratio * from[i]);
+}
+
+/* The beam of one of the stages, on the patches their irradiance: from that of one before it under
+   the same sun, if there is one. */
+static murk_status light_beam(murk_context *context, murk_solution *const solution[], int n,
+                              murk_stage stage[])
+{
+    const murk_grid *grid = solution[n]->grid;
+    const murk_ground *ground = solution[n]->ground;
+    murk_stage *own = &stage[n];
+    const size_t slots = grid->brick_count * MURK_BRICK_SLOTS;
+    const size_t slopes = own->bend.there.count * MURK_BENT_SLOTS;
+    const size_t patches = ground ? ground->patch_count : 0;
+    own->beam = murk_alloc(slots, sizeof(float));
+    own->beam_slope = murk_alloc(slopes, sizeof(float));
+    own->patch = murk_alloc(patches, sizeof(float));
+    if (!own->beam || !own->beam_slope || !own->patch)
+        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
+                         solution[n]->medium->grid->zone_count);
+    for (int m = 0; m < n; m++) {
+        double ratio = ratio_of(solution[n], solution[m]);
+        if (!(ratio > 0))
+            continue;
+        scale(stage[m].beam, ratio, slots, own->beam);
+        scale(stage[m].beam_slope, ratio, slopes, own->beam_slope);
+        scale(stage[m].patch, ratio, patches, own->patch);
+        own->extinguished = ratio * stage[m].extinguished;
+        return MURK_OK;
+    }
+    return murk_beam(context, grid, own->kappa_t, ground, &solution[n]->sun,
+                     beam_rays(solution[n]->report.tolerance), slopes ? &own->bend.there : NULL,
+                     own->beam, own->beam_slope, own->patch, &own->extinguished);
+}
+
+murk_status murk_stage_create(murk_context *context, murk_solution *const solution[], int count,
+                              double allowed, murk_stage out[])
+{
+    murk_stage stage[MURK_MOST_BANDS] = {{0}};
+    murk_status status = lay_medium(context, solution, count, allowed, stage);
+    for (int n = 0; !status && n < count; n++)
+        status = light_beam(context, solution, n, stage);
+    for (int n = 0; n < count; n++) {
+        const murk_ground *ground = solution[n]->ground;
+        for (size_t i = 0; !status && ground && i < ground->patch_count; i++)
+            stage[n].patch[i] = ground->emission[i] + ground->reflectance[i] * stage[n].patch[i];
+        if (status)
+            murk_stage_clear(&stage[n]);
+        else
+            out[n] = stage[n];
+    }
     return status;
 }
 
 void murk_stage_clear(murk_stage *stage)
 {
-    murk_free(stage->map);
-    murk_free(stage->kappa_t);
+    if (!stage->borrows) {
+        murk_free(stage->map);
+        murk_free(stage->kappa_t);
+        murk_bend_clear(&stage->bend);
+    }
     murk_free(stage->beam);
-    murk_bend_clear(&stage->bend);
     murk_free(stage->beam_slope);
     murk_free(stage->patch);
     murk_free(stage->own_emission);

@@ -11,8 +11,10 @@
 typedef struct murk_stage {
     int32_t *map;        /* brick of the solution's grid for each brick of the medium's */
     float *kappa_t;      /* on the solution's grid */
-    float *beam;         /* G of the direct beam and of the lamps on that grid [W/m^2] */
     murk_bend bend;      /* where sources vary within zones */
+    bool borrows;        /* these three from another stage */
+    double flat;         /* relative error of sources that are left constant within zones */
+    float *beam;         /* G of the direct beam and of the lamps on that grid [W/m^2] */
     float *beam_slope;   /* of the direct beam, in bent bricks */
     float *patch;        /* radiosity of the patches by themselves, sun and lamps [W/m^2] */
     bool halved;         /* voxels are halves of the user's: none are to be put together */
@@ -26,10 +28,11 @@ typedef struct murk_stage {
     double lamps_ground;           /* what the medium takes from lamps on the ground [W] */
 } murk_stage;
 
-/* Sources that are constant within zones may cost `allowed` of the tolerance's error [1]; others
-   get slopes. */
-murk_status murk_stage_create(murk_context *context, const murk_solution *solution, double allowed,
-                              murk_stage *out);
+/* The stages of solutions on the same zones, which differ in albedo and light: all but the first
+   borrow from it. Sources that are constant within zones may cost `allowed` of the tolerance's
+   error [1] in each; others get slopes. */
+murk_status murk_stage_create(murk_context *context, murk_solution *const solution[], int count,
+                              double allowed, murk_stage out[]);
 void murk_stage_clear(murk_stage *stage);
 
 /* Finds the lamps for lines, gathers their light, and leaves the lamps themselves out of the direct

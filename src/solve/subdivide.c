@@ -24,68 +24,76 @@ enum { MOST_HALVINGS = 3 };
 static const double MOST_ZONES = 1e7;
 
 typedef struct murk_subdivision {
-    murk_solution *solution; /* of level 0 the user's */
-    murk_stage stage;
+    int count;                                /* of bands */
+    murk_solution *solution[MURK_MOST_BANDS]; /* of level 0 the user's */
+    murk_stage stage[MURK_MOST_BANDS];
     murk_levels *levels;
     int32_t base[3]; /* of the halving that led here, in the voxels before it */
     double light;    /* seconds */
-    uint64_t lamps;
+    uint64_t lamps[MURK_MOST_BANDS];
 } murk_subdivision;
 
 /* ---- levels -------------------------------------------------------------------------------- */
 
-/* All but the solution, which is needed to the end. */
+/* All but the solutions, which are needed to the end. */
 static void leave(murk_subdivision *level)
 {
     murk_levels_release(level->levels);
-    murk_stage_clear(&level->stage);
+    for (int b = 0; b < level->count; b++)
+        murk_stage_clear(&level->stage[b]);
     level->levels = NULL;
 }
 
-/* Solves a level on few directions, starting from another solution of the user's voxels or NULL. */
+/* Solves a level on few directions, starting from other solutions of the user's voxels or NULL. */
 static murk_status begin(murk_context *context, const murk_solve_options *options,
-                         const murk_solution *from, bool halved, murk_subdivision *level)
+                         const murk_solution *const from[], bool halved, murk_subdivision *level)
 {
     double start = murk_seconds(), allowed = (halved ? LEFT : BENT) * options->tolerance;
-    level->solution->report.tolerance = options->tolerance;
-    murk_status status = murk_stage_create(context, level->solution, allowed, &level->stage);
-    level->stage.halved = halved;
-    if (!status)
-        status = murk_stage_light_lamps(context, level->solution, &level->stage);
-    level->lamps = level->stage.lamps.count;
+    for (int b = 0; b < level->count; b++)
+        level->solution[b]->report.tolerance = options->tolerance;
+    murk_status status =
+        murk_stage_create(context, level->solution, level->count, allowed, level->stage);
+    for (int b = 0; !status && b < level->count; b++) {
+        level->stage[b].halved = halved;
+        status = murk_stage_light_lamps(context, level->solution[b], &level->stage[b]);
+        level->lamps[b] = level->stage[b].lamps.count;
+    }
     level->light = murk_seconds() - start;
     if (!status)
-        status = murk_levels_begin(context, level->solution, &level->stage, options, from,
-                                   &level->levels);
+        status = murk_levels_begin(context, level->solution, level->stage, level->count, options,
+                                   from, &level->levels);
     return status;
 }
 
 static murk_status halve(murk_context *context, const murk_subdivision *from, int halvings,
                          const murk_solve_options *options, murk_subdivision *out)
 {
-    const murk_solution *solution = from->solution;
-    murk_medium *medium = NULL;
-    murk_status status = murk_medium_refine(context, solution->medium, &medium);
-    if (status)
-        return status;
-    const murk_scene scene = {.medium = medium,
-                              .ground = (murk_ground *)solution->ground,
-                              .sun = solution->sun,
-                              .sky_radiance = solution->sky_radiance};
-    murk_refine_base(solution->medium->grid, out->base);
-    status = murk_solution_create(context, &scene, halvings, &out->solution);
-    murk_medium_release(medium);
+    murk_status status = MURK_OK;
+    murk_refine_base(from->solution[0]->medium->grid, out->base);
+    while (!status && out->count < from->count) {
+        const murk_solution *solution = from->solution[out->count];
+        murk_medium *medium = NULL;
+        status = murk_medium_refine(context, solution->medium, &medium);
+        if (status)
+            return status;
+        const murk_scene scene = {.medium = medium,
+                                  .ground = (murk_ground *)solution->ground,
+                                  .sun = solution->sun,
+                                  .sky_radiance = solution->sky_radiance};
+        status = murk_solution_create(context, &scene, halvings, &out->solution[out->count++]);
+        murk_medium_release(medium);
+    }
     return status ? status : begin(context, options, NULL, true, out);
 }
 
 /* ---- errors -------------------------------------------------------------------------------- */
 
-/* Relative difference of the coarse solutions of a level and the next. */
+/* Relative difference of the coarse solutions of a level and the next in one band. */
 static murk_status difference(murk_context *context, const murk_subdivision *level,
-                              const murk_subdivision *next, double *out)
+                              const murk_subdivision *next, int band, double *out)
 {
-    const murk_coarse *here = murk_levels_coarse(level->levels);
-    const murk_coarse *there = murk_levels_coarse(next->levels);
+    const murk_coarse *here = murk_levels_coarse(level->levels, band);
+    const murk_coarse *there = murk_levels_coarse(next->levels, band);
     float *mean = murk_alloc(here->system.slots, sizeof *mean);
     if (!mean)
         return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
@@ -104,62 +112,90 @@ static murk_status difference(murk_context *context, const murk_subdivision *lev
    four to a face here and one to a face there, which still feel few lines differently: squares of
    that fall as 1 / N, so two numbers of directions tell it. */
 static murk_status compare(murk_context *context, const murk_solve_options *options,
-                           murk_subdivision *level, const murk_subdivision *next, double *out)
+                           murk_subdivision *level, const murk_subdivision *next, double out[])
 {
     static const int COMPARED[2] = {MURK_ORBIT, 4 * MURK_ORBIT};
-    double found[2] = {0};
+    double found[2][MURK_MOST_BANDS] = {{0}};
     murk_status status = MURK_OK;
     for (int n = 0; !status && n < 2; n++) {
         status = murk_levels_probe(level->levels, COMPARED[n], 2 * options->rays);
         if (!status && n)
             status = murk_levels_probe(next->levels, COMPARED[n], options->rays);
-        if (!status)
-            status = difference(context, level, next, &found[n]);
+        for (int b = 0; !status && b < level->count; b++)
+            status = difference(context, level, next, b, &found[n][b]);
     }
-    double by_lines =
-        (found[0] * found[0] - found[1] * found[1]) / (1.0 / COMPARED[0] - 1.0 / COMPARED[1]);
-    *out = sqrt(
-        fmax(0.5 * found[1] * found[1], found[1] * found[1] - fmax(0, by_lines) / COMPARED[1]));
+    for (int b = 0; b < level->count; b++) {
+        double few = found[0][b] * found[0][b], many = found[1][b] * found[1][b];
+        double by_lines = (few - many) / (1.0 / COMPARED[0] - 1.0 / COMPARED[1]);
+        out[b] = sqrt(fmax(0.5 * many, many - fmax(0, by_lines) / COMPARED[1]));
+    }
     return status;
 }
 
 /* How often a level may still be halved. */
 static int halvings_left(const murk_subdivision *level, int last)
 {
-    double zones = (double)level->solution->medium->grid->zone_count;
+    double zones = (double)level->solution[0]->medium->grid->zone_count;
     int left = 0;
     while (last + left < MOST_HALVINGS && (zones *= 8) <= MOST_ZONES)
         left++;
     return left;
 }
 
-/* Halves voxels until their error, which is set, is small enough or will not become so; the last
-   level is to be solved with all directions. Who asks for a number of directions asks for the
-   voxels as they are. */
+/* Estimates the errors by the voxels of level 0; whether those of a band are to be halved. */
+static bool first_errors(const murk_subdivision *level, double goal, double spatial[])
+{
+    bool halve_them = false;
+    for (int b = 0; b < level->count; b++) {
+        const murk_coarse *coarse = murk_levels_coarse(level->levels, b);
+        spatial[b] = level->stage[b].flat;
+        if (!coarse->system.slopes || spatial[b] > goal) /* the rest is opaque */
+            continue;
+        spatial[b] += murk_spatial_linear(&coarse->system, &coarse->x, &coarse->direct);
+        halve_them = halve_them || spatial[b] > goal;
+    }
+    return halve_them;
+}
+
+/* The same after a halving, from what it changed and with so many left. */
+static bool next_errors(const murk_solve_options *options, double goal, int left, int count,
+                        const double change[], double spatial[])
+{
+    bool halve_them = false;
+    for (int b = 0; b < count; b++) {
+        spatial[b] = change[b] * ORDER / (ORDER - 1);
+        bool hopeless = spatial[b] > 2 * options->tolerance * pow(ORDER, left);
+        halve_them = halve_them || (spatial[b] > goal && !hopeless);
+    }
+    return halve_them;
+}
+
+/* Halves voxels until their error, which is set, is small enough in each band or will not become
+   so; the last level is to be solved with all directions. Who asks for a number of directions asks
+   for the voxels as they are. */
 static murk_status descend(murk_context *context, const murk_solve_options *options,
-                           murk_subdivision level[], int *last, double *spatial)
+                           murk_subdivision level[], int *last, double spatial[])
 {
     const double goal = HALVED * options->tolerance;
-    const murk_coarse *coarse = murk_levels_coarse(level->levels);
-    *spatial = level->stage.bend.flat;
-    if (!coarse->system.slopes || *spatial > goal) /* the rest is opaque */
-        return MURK_OK;
-    *spatial += murk_spatial_linear(&coarse->system, &coarse->x, &coarse->direct);
-    for (int left; !options->directions && *spatial > goal &&
-                   (left = halvings_left(&level[*last], *last)) > 0;) {
-        double change = 0;
+    const int count = level->count;
+    bool go_on = first_errors(level, goal, spatial);
+    for (int left;
+         go_on && !options->directions && (left = halvings_left(&level[*last], *last)) > 0;) {
+        double change[MURK_MOST_BANDS];
         murk_status status = halve(context, &level[*last], *last + 1, options, &level[*last + 1]);
         if (!status)
-            status = compare(context, options, &level[*last], &level[*last + 1], &change);
+            status = compare(context, options, &level[*last], &level[*last + 1], change);
         if (status)
             return status;
-        *spatial = change * ORDER / (ORDER - 1);
-        bool hopeless = *spatial > 2 * options->tolerance * pow(ORDER, left);
-        if (*spatial <= goal || hopeless)
+        if (!next_errors(options, goal, left, count, change, spatial))
             return MURK_OK;
         leave(&level[*last]);
-        *spatial /= ORDER;
         ++*last;
+        go_on = false;
+        for (int b = 0; b < count; b++) {
+            spatial[b] /= ORDER;
+            go_on = go_on || spatial[b] > goal;
+        }
     }
     return MURK_OK;
 }
@@ -167,12 +203,11 @@ static murk_status descend(murk_context *context, const murk_solve_options *opti
 /* ---- all ----------------------------------------------------------------------------------- */
 
 /* Brings the solution of halved voxels to those that they are halves of. */
-static void gather(const murk_subdivision *from, murk_solution *to)
+static void gather(const murk_solution *fine, const int32_t base[3], murk_solution *to)
 {
-    const murk_solution *fine = from->solution;
     const size_t patches = to->ground ? to->ground->patch_count : 0;
     const murk_report before = to->report;
-    murk_refine_average(fine->grid, fine->radiosity, from->base, to->grid, to->radiosity);
+    murk_refine_average(fine->grid, fine->radiosity, base, to->grid, to->radiosity);
     for (size_t i = 0; i < patches; i++) {
         to->patch[i] = fine->patch[i];
         to->patch_diffuse[i] = fine->patch_diffuse[i];
@@ -185,39 +220,55 @@ static void gather(const murk_subdivision *from, murk_solution *to)
     to->report.seconds_setup = before.seconds_setup;
 }
 
-murk_status murk_solve_lines(murk_context *context, murk_solution *solution,
-                             const murk_solve_options *options)
+/* The user's solution of a band, from the last of its levels. */
+static void bring_back(const murk_subdivision level[], int last, int band)
 {
-    murk_subdivision level[MOST_HALVINGS + 1] = {{.solution = solution}};
-    double start = murk_seconds(), spatial = 0;
+    for (int n = last; n > 0; n--)
+        gather(level[n].solution[band], level[n].base, level[n - 1].solution[band]);
+    murk_report *report = &level->solution[band]->report;
+    report->subdivision = 1 << last;
+    report->lamps = level->lamps[band];
+    report->seconds_light = level->light;
+}
+
+static murk_status check_reached(murk_context *context, const murk_report *report)
+{
+    if (report->reached)
+        return MURK_OK;
+    return murk_fail(context, MURK_NOT_REACHED,
+                     "the estimated error is %.2g %%, %.2g %% was asked for: %s",
+                     100 * report->estimate, 100 * report->tolerance,
+                     report->estimate_spatial > report->estimate_angular
+                         ? "the voxels are too thick; use smaller ones or raise the tolerance"
+                         : "raise --directions or the tolerance");
+}
+
+murk_status murk_solve_lines(murk_context *context, murk_solution *const solution[], int count,
+                             const murk_solve_options *options, const murk_solution *const start[])
+{
+    murk_subdivision level[MOST_HALVINGS + 1] = {{.count = count}};
+    double begun = murk_seconds(), spatial[MURK_MOST_BANDS];
     int last = 0;
-    murk_status status = begin(context, options, options->start, false, level);
+    for (int b = 0; b < count; b++)
+        level->solution[b] = solution[b];
+    murk_status status = begin(context, options, start, false, level);
     murk_progress(context, "solve", 0.3);
     if (!status)
-        status = descend(context, options, level, &last, &spatial);
+        status = descend(context, options, level, &last, spatial);
     if (!status)
         status = murk_levels_finish(level[last].levels, spatial);
-    if (!status) {
-        for (int n = last; n > 0; n--)
-            gather(&level[n], level[n - 1].solution);
-        solution->report.subdivision = 1 << last;
-        solution->report.lamps = level[0].lamps;
-        solution->report.seconds_light = level[0].light;
-        solution->report.seconds_solve =
-            murk_seconds() - start - level[0].light - solution->report.seconds_finish;
+    for (int b = 0; !status && b < count; b++)
+        bring_back(level, last, b);
+    for (int b = 0; !status && b < count; b++) {
+        murk_report *report = &solution[b]->report;
+        report->seconds_solve = murk_seconds() - begun - level->light - report->seconds_finish;
     }
     for (int n = 0; n <= MOST_HALVINGS; n++) {
         leave(&level[n]);
-        if (n)
-            murk_solution_release(level[n].solution);
+        for (int b = 0; n && b < level[n].count; b++)
+            murk_solution_release(level[n].solution[b]);
     }
-    const murk_report *report = &solution->report;
-    if (!status && !report->reached)
-        status = murk_fail(context, MURK_NOT_REACHED,
-                           "the estimated error is %.2g %%, %.2g %% was asked for: %s",
-                           100 * report->estimate, 100 * report->tolerance,
-                           report->estimate_spatial > report->estimate_angular
-                               ? "the voxels are too thick; use smaller ones or raise the tolerance"
-                               : "raise --directions or the tolerance");
+    for (int b = 0; !status && b < count; b++)
+        status = check_reached(context, &solution[b]->report);
     return status;
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "system.h"
 
+#include "apply.h"
+
 #include <string.h>
 
 murk_status murk_vector_create(const murk_system *system, murk_vector *out)
@@ -207,19 +209,10 @@ double murk_vector_step(const murk_system *system, double a, const murk_vector *
 
 /* ---- the system ---------------------------------------------------------------------------- */
 
-murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y)
+/* From what has arrived in y to L x. The operator gives G/4 - x: the difference is exact where the
+   two almost cancel. */
+static void finish_product(const murk_system *system, const murk_vector *x, murk_vector *y)
 {
-    const bool bent = system->slopes;
-    const murk_radiosity in = {.zone = x->zone,
-                               .slope = bent ? x->slope : NULL,
-                               .patch = system->ground ? x->patch : NULL};
-    murk_incident out = {.zone = y->zone,
-                         .slope = bent ? y->slope : NULL,
-                         .patch = system->ground ? y->patch : NULL};
-    murk_status status = system->method->apply(system->context, system->state, &in, &out, 1);
-    if (status)
-        return status;
-        /* The operator gives G/4 - x: the difference is exact where the two almost cancel. */
 #pragma omp parallel for num_threads(system->context->threads) schedule(static)
     for (size_t i = 0; i < system->slots; i++)
         y->zone[i] = -murk_system_left(system, i, 0, y->zone[i], x->zone[i]);
@@ -229,41 +222,19 @@ murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_ve
             -murk_system_left(system, murk_bent_slot(system->bent, j), 0, y->slope[j], x->slope[j]);
     for (size_t i = 0; i < system->patches; i++)
         y->patch[i] = x->patch[i] - system->ground->reflectance[i] * y->patch[i];
-    return MURK_OK;
 }
 
-murk_status murk_system_residual(murk_system *system, const murk_vector *direct,
-                                 const murk_around *around, const murk_vector *x, murk_vector *r,
-                                 murk_vector *scratch, double *diffuse)
+murk_status murk_system_apply(const murk_application *of, int bands)
 {
-    const bool ground = system->ground, bent = system->slopes;
-    const float *patch = x && ground ? x->patch : NULL;
-    const murk_radiosity in[2] = {{.zone = x ? x->zone : NULL,
-                                   .slope = x && bent ? x->slope : NULL,
-                                   .patch = patch,
-                                   .sky = around->sky,
-                                   .horizon = around->horizon},
-                                  {.patch = patch, .sky = around->sky, .horizon = around->horizon}};
-    murk_incident out[2] = {
-        {.zone = r->zone, .slope = bent ? r->slope : NULL, .patch = ground ? r->patch : NULL}};
-    if (diffuse)
-        out[1] = (murk_incident){.zone = scratch->zone,
-                                 .slope = bent ? scratch->slope : NULL,
-                                 .patch = ground ? scratch->patch : NULL};
-    murk_status status =
-        system->method->apply(system->context, system->state, in, out, diffuse ? 2 : 1);
-    if (status)
-        return status;
-    if (diffuse)
-        *diffuse = out[1].net_power;
-#pragma omp parallel for num_threads(system->context->threads) schedule(static)
-    for (size_t i = 0; i < system->slots; i++)
-        r->zone[i] = murk_system_left(system, i, direct->zone[i], r->zone[i], x ? x->zone[i] : 0);
-    for (size_t j = 0; j < system->slopes; j++)
-        r->slope[j] = murk_system_left(system, murk_bent_slot(system->bent, j), direct->slope[j],
-                                       r->slope[j], x ? x->slope[j] : 0);
-    for (size_t i = 0; i < system->patches; i++)
-        r->patch[i] =
-            direct->patch[i] + system->ground->reflectance[i] * r->patch[i] - (x ? x->patch[i] : 0);
-    return MURK_OK;
+    const murk_system *system = of->system;
+    murk_radiosity in[MURK_MOST_BANDS] = {{0}};
+    murk_incident out[MURK_MOST_BANDS];
+    for (int b = 0; b < bands; b++) {
+        in[b] = murk_system_sent(of[b].system, of[b].x);
+        out[b] = murk_system_arriving(of[b].system, of[b].y);
+    }
+    murk_status status = murk_apply(system->context, system->method, system->state, in, out, bands);
+    for (int b = 0; !status && b < bands; b++)
+        finish_product(of[b].system, of[b].x, of[b].y);
+    return status;
 }

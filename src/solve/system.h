@@ -39,11 +39,6 @@ typedef struct murk_system {
     murk_preconditioner *preconditioner;
 } murk_system;
 
-/* Light from sky and from the ground beyond all patches, as in murk_radiosity. */
-typedef struct murk_around {
-    double sky, horizon;
-} murk_around;
-
 murk_status murk_vector_create(const murk_system *system, murk_vector *out);
 void murk_vector_clear(murk_vector *vector);
 void murk_vector_copy(const murk_system *system, const murk_vector *from, murk_vector *to);
@@ -77,14 +72,28 @@ static inline float murk_system_left(const murk_system *system, size_t slot, flo
     return system->medium->kappa_t[slot] > 0 ? direct + albedo * net - (1 - albedo) * x : 0;
 }
 
-/* y = L x */
-murk_status murk_system_apply(murk_system *system, const murk_vector *x, murk_vector *y);
+/* What x sends, and where its light arrives in y, for the operator. */
+static inline murk_radiosity murk_system_sent(const murk_system *system, const murk_vector *x)
+{
+    return (murk_radiosity){.zone = x->zone,
+                            .slope = system->slopes ? x->slope : NULL,
+                            .patch = system->ground ? x->patch : NULL};
+}
 
-/* r = b - L x, where b is `direct`, the radiosities by beam and emission alone, plus what sky and
-   horizon add to them. x may be NULL for 0. Where diffuse is not NULL it is set to the power of sky
-   and ground that the medium takes, and scratch is overwritten [W]. */
-murk_status murk_system_residual(murk_system *system, const murk_vector *direct,
-                                 const murk_around *around, const murk_vector *x, murk_vector *r,
-                                 murk_vector *scratch, double *diffuse);
+static inline murk_incident murk_system_arriving(const murk_system *system, const murk_vector *y)
+{
+    return (murk_incident){.zone = y->zone,
+                           .slope = system->slopes ? y->slope : NULL,
+                           .patch = system->ground ? y->patch : NULL};
+}
+
+typedef struct murk_application {
+    murk_system *system;
+    const murk_vector *x;
+    murk_vector *y;
+} murk_application;
+
+/* y = L x for up to MURK_MOST_BANDS systems over one operator, which is applied to all at once. */
+murk_status murk_system_apply(const murk_application *of, int bands);
 
 #endif

@@ -31,27 +31,11 @@ bool murk_band_set_colours(const murk_band_set *set, size_t band[3])
     return found == 3;
 }
 
-static bool is_same_grid(const murk_grid *a, const murk_grid *b)
-{
-    return a == b || (a->brick_count == b->brick_count &&
-                      !memcmp(a->brick, b->brick, a->brick_count * sizeof *a->brick) &&
-                      !memcmp(a->mask, b->mask, a->brick_count * sizeof *a->mask) &&
-                      !memcmp(a->voxel, b->voxel, sizeof a->voxel) &&
-                      !memcmp(a->axis, b->axis, sizeof a->axis) &&
-                      !memcmp(a->corner, b->corner, sizeof a->corner));
-}
-
 bool murk_band_set_one_extinction(const murk_band_set *set)
 {
-    const murk_medium *first = set->solution[0]->medium;
-    size_t slots = first->grid->brick_count * MURK_BRICK_SLOTS;
-    for (size_t i = 1; i < set->count; i++) {
-        const murk_medium *other = set->solution[i]->medium;
-        if (other != first &&
-            (!is_same_grid(first->grid, other->grid) ||
-             memcmp(first->kappa_t, other->kappa_t, slots * sizeof *first->kappa_t) != 0))
+    for (size_t i = 1; i < set->count; i++)
+        if (!murk_medium_same_extinction(set->solution[0]->medium, set->solution[i]->medium))
             return false;
-    }
     return true;
 }
 
@@ -84,8 +68,8 @@ murk_status murk_band_set_check(const murk_band_set *set, const char *where)
         murk_status status = check_name(set, i, where);
         if (status)
             return status;
-        if (!is_same_grid(first->grid, other->grid) ||
-            !is_same_grid(first->medium->input, other->medium->input))
+        if (!murk_grid_same(first->grid, other->grid) ||
+            !murk_grid_same(first->medium->input, other->medium->input))
             return murk_fail(first->context, MURK_ERROR_INPUT,
                              "%s: the bands %s and %s are on different voxels; solve all bands on "
                              "the grids of one volume",

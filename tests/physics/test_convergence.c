@@ -161,25 +161,25 @@ static void set_source(struct solver *s)
 
 static murk_cg_result solve(struct solver *s, double relative, murk_vector *x)
 {
-    murk_cg_result result;
+    murk_cg cg = {.system = &s->system, .b = &s->b, .x = x, .relative = relative};
     s->system.escape = 0; /* as a first solve */
-    if (murk_conjugate_gradients(&s->system, &s->b, x, relative, 0, 1000, &result))
+    if (murk_conjugate_gradients(&cg, 1, 1000))
         fail_msg("%s", murk_context_message(s->world.context));
-    return result;
+    return cg.result;
 }
 
 /* To where rounding ends it, twice. */
 static void solve_exactly(struct solver *s)
 {
     murk_vector b = s->b;
-    murk_cg_result result;
+    murk_cg cg = {.system = &s->system, .b = &s->b, .x = &s->d, .relative = 1e-3};
     solve(s, 0, &s->exact);
     assert_int_equal(murk_vector_create(&s->system, &s->b), MURK_OK);
-    assert_int_equal(murk_system_apply(&s->system, &s->exact, &s->d), MURK_OK);
+    assert_int_equal(murk_system_apply(&(murk_application){&s->system, &s->exact, &s->d}, 1),
+                     MURK_OK);
     murk_vector_copy(&s->system, &b, &s->b);
     murk_vector_add(&s->system, -1, &s->d, &s->b);
-    assert_int_equal(murk_conjugate_gradients(&s->system, &s->b, &s->d, 1e-3, 0, 1000, &result),
-                     MURK_OK);
+    assert_int_equal(murk_conjugate_gradients(&cg, 1, 1000), MURK_OK);
     murk_vector_add(&s->system, 1, &s->d, &s->exact);
     murk_vector_clear(&s->b);
     s->b = b;
