@@ -408,12 +408,14 @@ typedef struct murk_report {
     double multiplications; /**< [BG91] eq. (18) for this scene: what all stored factors
                                  would cost per iteration */
     double multiplications_window; /**< [BG91] eq. (19); 0 without a window */
-    double energy_emitted;         /**< by the zones: sum of 4 kappa_a E V */
-    double energy_sun;             /**< sunlight extinguished in the zones */
-    double energy_diffuse;         /**< sky and ground light extinguished in the zones */
-    double energy_absorbed;        /**< in the zones: sum of kappa_a G V */
-    double energy_escaped;         /**< left the zones for sky and ground */
-    double energy_balance;         /**< |emitted + sun + diffuse - absorbed - escaped| / sources */
+    /* With forward scattering the energies are those of the similar medium that scatters
+       isotropically: light that is scattered forward is not extinguished there. */
+    double energy_emitted;  /**< by the zones: sum of 4 kappa_a E V */
+    double energy_sun;      /**< sunlight extinguished in the zones */
+    double energy_diffuse;  /**< sky and ground light extinguished in the zones */
+    double energy_absorbed; /**< in the zones: sum of kappa_a G V */
+    double energy_escaped;  /**< left the zones for sky and ground */
+    double energy_balance;  /**< |emitted + sun + diffuse - absorbed - escaped| / sources */
     double seconds_setup, seconds_light, seconds_solve, seconds_finish;
 } murk_report;
 
@@ -503,7 +505,9 @@ typedef struct murk_render_options {
  * (infinite where the ray meets no medium). With options->parts also scattered.Y and emitted.Y,
  * which the path radiance consists of (light that zones scatter, and what they radiate by
  * themselves towards the camera), inherent.R inherent.G inherent.B (the surface's light before it
- * enters the medium) and depth.Y, the mean optical depth. options may be NULL.
+ * enters the medium) and depth.Y, the mean optical depth. Where the medium scatters forward, the
+ * path radiance also holds what is scattered forward of the light of ground and sky. options may be
+ * NULL.
  */
 MURK_API murk_status murk_render(murk_context *context, const murk_scene *scene,
                                  const murk_solution *solution, const murk_camera *camera,

@@ -200,7 +200,7 @@ bool murk_forward_march(const murk_forward *forward, const int32_t *brick, size_
         return false;
     memcpy(out->path, again.path, sizeof out->path);
     memcpy(out->depth, again.depth, sizeof out->depth);
-    for (int j = 0; forward->weight && j < TERMS; j++) {
+    for (int j = 1; forward->weight && j < TERMS; j++) {
         again = *packet;
         if (!murk_march_light(&forward->sun[j], brick, count, &again, trace))
             return false;
@@ -209,15 +209,16 @@ bool murk_forward_march(const murk_forward *forward, const int32_t *brick, size_
     return true;
 }
 
-/* The sun's light that is scattered forward towards the camera, `cosine` off its way. */
+/* The sun's light that is scattered forward towards the camera, `cosine` off its way; path: of the
+   first term. */
 static double sun_light(const murk_forward *forward, const murk_forwarded *passed, int lane,
-                        double cosine)
+                        double path, double cosine)
 {
     double x = sqrt(fmax(0, fmin((1 - cosine) / 2, 1))) * ANGLES, sum = 0;
     int n = x < ANGLES ? (int)x : ANGLES - 1;
     for (int j = 0; j < TERMS; j++) {
         double low = forward->weight[n][j], high = forward->weight[n + 1][j];
-        sum += (low + (x - n) * (high - low)) * passed->sun[j][lane];
+        sum += (low + (x - n) * (high - low)) * (j ? passed->sun[j][lane] : path);
     }
     return sum;
 }
@@ -228,10 +229,11 @@ void murk_forward_light(const murk_forward *forward, const murk_forwarded *passe
 {
     for (int l = 0; l < MURK_LANES; l++) {
         double turned = exp(-passed->depth[l]) - exp(-packet->depth[l]), cosine = 0;
-        packet->path[l] = passed->path[l] + turned * behind[l];
+        double path = passed->path[l] + turned * behind[l];
         for (int c = 0; c < 3; c++)
             cosine -= forward->travel[c] * direction[c][l];
         if (forward->weight)
-            packet->path[l] = fmax(0, packet->path[l] + sun_light(forward, passed, l, cosine));
+            path += sun_light(forward, passed, l, packet->path[l], cosine);
+        packet->path[l] = fmax(0, path);
     }
 }

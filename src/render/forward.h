@@ -46,7 +46,7 @@ double murk_forward_spread(const murk_forward *forward, double turned);
 /* What a packet meets in those media. */
 typedef struct murk_forwarded {
     double path[MURK_LANES], depth[MURK_LANES]; /* of the reduced medium */
-    double sun[MURK_FORWARD_TERMS][MURK_LANES];
+    double sun[MURK_FORWARD_TERMS][MURK_LANES]; /* but for the first, the packet's own path */
 } murk_forwarded;
 
 /* For a medium whose asymmetry is not 0. */
@@ -59,12 +59,21 @@ static inline bool murk_forward_needed(const murk_forward *forward)
     return forward->reduced.medium;
 }
 
+/* The march of the packet itself, where x_1 = 0: through the medium as it is, `march` without a
+ * sun.
+ */
+static inline const murk_march *murk_forward_itself(const murk_forward *forward,
+                                                    const murk_march *march)
+{
+    return forward->weight ? &forward->sun[0] : march;
+}
+
 /* Carries a packet through the bricks; false when memory runs out. */
 bool murk_forward_march(const murk_forward *forward, const int32_t *brick, size_t count,
                         const murk_packet *packet, murk_trace *trace, murk_forwarded *out);
 
-/* Sets the path of a packet that went through the medium itself along `direction`, unit vectors in
-   the world; behind: pi L_b. */
+/* Sets the path of a packet that went through the medium itself (murk_forward_itself()) along
+   `direction`, unit vectors in the world; behind: pi L_b. */
 void murk_forward_light(const murk_forward *forward, const murk_forwarded *passed,
                         const double direction[3][MURK_LANES], const double behind[MURK_LANES],
                         murk_packet *packet);

@@ -231,7 +231,8 @@ bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace
             if (!march_glow(shot, brick, count, &packet, trace, glow) ||
                 (forward &&
                  !murk_forward_march(&shot->peaked, brick, count, &packet, trace, &passed)) ||
-                !murk_march_light(&shot->march, brick, count, &packet, trace))
+                !murk_march_light(murk_forward_itself(&shot->peaked, &shot->march), brick, count,
+                                  &packet, trace))
                 return false;
             if (forward) {
                 double average[MURK_LANES];
