@@ -21,11 +21,9 @@
 extern "C" {
 #endif
 
-#define MURK_BAND_NAME_SIZE 64
-
 typedef struct murk_picture_band {
-    char name[MURK_BAND_NAME_SIZE]; /**< of letters, digits, _ and - */
-    murk_band band;                 /**< both wavelengths 0: not known */
+    char name[MURK_BAND_NAME_MAX + 1];
+    murk_band band; /**< both wavelengths 0: not known */
 } murk_picture_band;
 
 /**

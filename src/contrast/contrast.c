@@ -17,7 +17,7 @@ static murk_status find_channels(murk_context *context, const murk_image *pictur
     static const char *const NAMES[CL] = {"radiance", "inherent", "scattered", "emitted",
                                           "transmittance"};
     for (int q = 0; q < CL; q++) {
-        char name[MURK_BAND_NAME_SIZE + 16];
+        char name[MURK_BAND_NAME_MAX + 16];
         snprintf(name, sizeof name, "%s.%s", band, NAMES[q]);
         channel[q] = murk_image_channel(picture, name);
         if (channel[q] < 0)
