@@ -25,80 +25,12 @@
 #ifndef MURK_MURK_H
 #define MURK_MURK_H
 
-#include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#if defined(_WIN32)
-#define MURK_API
-#else
-#define MURK_API __attribute__((visibility("default")))
-#endif
-
-#define MURK_VERSION "0.1.0"
+#include "core.h"
+#include "image.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* ------------------------------------------------------------------------------------------ */
-/* Status                                                                                      */
-/* ------------------------------------------------------------------------------------------ */
-
-/** Name and meaning of every status, for the enumeration and murk_status_text(). */
-#define MURK_STATUS_LIST(X)                                                                        \
-    X(MURK_OK, "success")                                                                          \
-    X(MURK_ERROR_INPUT, "bad input")                                                               \
-    X(MURK_ERROR_MEMORY, "out of memory")                                                          \
-    X(MURK_ERROR_IO, "the system failed to write")                                                 \
-    X(MURK_ERROR_INTERNAL, "internal error")                                                       \
-    X(MURK_NOT_REACHED, "tolerance not reached")
-
-/** What a call came to. MURK_NOT_REACHED still delivers its result. */
-typedef enum murk_status {
-#define MURK_STATUS_ENUM(name, text) name,
-    MURK_STATUS_LIST(MURK_STATUS_ENUM)
-#undef MURK_STATUS_ENUM
-} murk_status;
-
-/** A short English text for a status; never NULL. */
-MURK_API const char *murk_status_text(murk_status status);
-
-/* ------------------------------------------------------------------------------------------ */
-/* Context                                                                                     */
-/* ------------------------------------------------------------------------------------------ */
-
-/** Holds threads, log, progress and the last message. There is no global state. */
-typedef struct murk_context murk_context;
-
-typedef enum murk_log_level { MURK_LOG_WARNING, MURK_LOG_INFO } murk_log_level;
-
-/** Called with one line of text, without line feed. */
-typedef void murk_log_fn(void *user, murk_log_level level, const char *text);
-
-/** Called now and then with the stage ("solve", "render", ...) and the part done in [0, 1]. */
-typedef void murk_progress_fn(void *user, const char *stage, double done);
-
-typedef struct murk_context_options {
-    int threads;                /**< 0: one per processor */
-    const char *kernel;         /**< "avx512", "avx2", "portable"; NULL: the fastest this CPU has */
-    murk_log_fn *log;           /**< may be NULL: silence */
-    murk_progress_fn *progress; /**< may be NULL */
-    void *user;                 /**< passed on to both */
-} murk_context_options;
-
-#define MURK_CONTEXT_DEFAULT                                                                       \
-    {                                                                                              \
-        .threads = 0, .kernel = NULL, .log = NULL, .progress = NULL, .user = NULL                  \
-    }
-
-/** Creates a context. options may be NULL. Fails when memory runs out or the kernel is unknown. */
-MURK_API murk_status murk_context_create(const murk_context_options *options, murk_context **out);
-MURK_API void murk_context_release(murk_context *context);
-
-/** The first message of the call that failed last, or "". Valid until the next call. */
-MURK_API const char *murk_context_message(const murk_context *context);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Volumes: what a VDB file holds                                                              */
@@ -176,7 +108,12 @@ typedef struct murk_medium_options {
      *  temperature_offset; 0: none. */
     murk_quantity temperature;
     double temperature_offset;
-    murk_band band;    /**< that temperatures radiate in */
+    murk_band band; /**< that temperatures radiate in */
+    /** g, the mean cosine of the angle by which light is scattered, in (-1, 1); the phase function
+     *  is that of Henyey and Greenstein. 0: isotropic. Solutions of other g are those of the
+     *  similar medium that scatters isotropically, with kappa_s (1 - g); pictures show sunlight
+     *  that is scattered once by the phase function itself. */
+    double asymmetry;
     bool corner;       /**< voxel (i,j,k) covers [i, i+1] x ... instead of [i - 1/2, i + 1/2] */
     bool strict;       /**< NaN, infinite, negative values are an error, not empty */
     double voxel_size; /**< > 0 overrides the file's voxel size [m] (all three axes by ratio) */
@@ -186,7 +123,8 @@ typedef struct murk_medium_options {
     {                                                                                              \
         .extinction = {NULL, 0.0, MURK_FROM_GRID}, .albedo = {NULL, 1.0, 0.9},                     \
         .emission = {NULL, 1.0, 0.0}, .temperature = {NULL, 1.0, 0.0}, .temperature_offset = 0.0,  \
-        .band = {{0.0, 0.0}}, .corner = false, .strict = false, .voxel_size = 0.0                  \
+        .band = {{0.0, 0.0}}, .asymmetry = 0.0, .corner = false, .strict = false,                  \
+        .voxel_size = 0.0                                                                          \
     }
 
 /**
@@ -209,6 +147,7 @@ typedef struct murk_array {
     const float *albedo;   /**< NULL: albedo_value */
     const float *emission; /**< W/m^2; NULL: emission_value */
     double kappa_t_value, albedo_value, emission_value;
+    double asymmetry; /**< as in murk_medium_options */
 } murk_array;
 
 /** Builds a medium from arrays in memory. Fails like murk_medium_from_volume(). */
@@ -227,6 +166,7 @@ typedef struct murk_brick_array {
     const float *albedo;   /**< NULL: albedo_value */
     const float *emission; /**< W/m^2; NULL: emission_value */
     double albedo_value, emission_value;
+    double asymmetry; /**< as in murk_medium_options */
 } murk_brick_array;
 
 /** Builds a medium from bricks in memory: the way in for sparse media of other programs. Fails like
@@ -400,12 +340,14 @@ typedef struct murk_report {
     double multiplications; /**< [BG91] eq. (18) for this scene: what all stored factors
                                  would cost per iteration */
     double multiplications_window; /**< [BG91] eq. (19); 0 without a window */
-    double energy_emitted;         /**< by the zones: sum of 4 kappa_a E V */
-    double energy_sun;             /**< sunlight extinguished in the zones */
-    double energy_diffuse;         /**< sky and ground light extinguished in the zones */
-    double energy_absorbed;        /**< in the zones: sum of kappa_a G V */
-    double energy_escaped;         /**< left the zones for sky and ground */
-    double energy_balance;         /**< |emitted + sun + diffuse - absorbed - escaped| / sources */
+    /* With forward scattering the energies are those of the similar medium that scatters
+       isotropically: light that is scattered forward is not extinguished there. */
+    double energy_emitted;  /**< by the zones: sum of 4 kappa_a E V */
+    double energy_sun;      /**< sunlight extinguished in the zones */
+    double energy_diffuse;  /**< sky and ground light extinguished in the zones */
+    double energy_absorbed; /**< in the zones: sum of kappa_a G V */
+    double energy_escaped;  /**< left the zones for sky and ground */
+    double energy_balance;  /**< |emitted + sun + diffuse - absorbed - escaped| / sources */
     double seconds_setup, seconds_light, seconds_solve, seconds_finish;
 } murk_report;
 
@@ -471,9 +413,6 @@ MURK_API murk_status murk_camera_default(murk_context *context, const murk_scene
 MURK_API murk_status murk_camera_check(murk_context *context, const murk_scene *scene,
                                        const murk_camera *camera);
 
-/** Pixels with named channels, row 0 at the top. */
-typedef struct murk_image murk_image;
-
 typedef struct murk_render_options {
     int samples;        /**< per pixel and axis; 0: 2 (that is 4 a pixel) */
     bool no_background; /**< leave ground and sky out of the picture (they still light it) */
@@ -495,63 +434,17 @@ typedef struct murk_render_options {
  * (infinite where the ray meets no medium). With options->parts also scattered.Y and emitted.Y,
  * which the path radiance consists of (light that zones scatter, and what they radiate by
  * themselves towards the camera), inherent.R inherent.G inherent.B (the surface's light before it
- * enters the medium) and depth.Y, the mean optical depth. options may be NULL.
+ * enters the medium) and depth.Y, the mean optical depth. Where the medium scatters forward, the
+ * path radiance also holds what is scattered forward of the light of ground and sky. options may be
+ * NULL.
  */
 MURK_API murk_status murk_render(murk_context *context, const murk_scene *scene,
                                  const murk_solution *solution, const murk_camera *camera,
                                  const murk_render_options *options, murk_image **out);
 
-/** Makes an image of float channels; names are copied, pixels start at 0. */
-MURK_API murk_status murk_image_create(murk_context *context, int width, int height, int channels,
-                                       const char *const *names, murk_image **out);
-/** Reads any image that OpenImageIO reads, as linear floats with its channel names and those of its
- *  attributes that are text. */
-MURK_API murk_status murk_image_read(murk_context *context, const char *path, murk_image **out);
-MURK_API void murk_image_release(murk_image *image);
-MURK_API int murk_image_width(const murk_image *image);
-MURK_API int murk_image_height(const murk_image *image);
-MURK_API int murk_image_channels(const murk_image *image);
-MURK_API const char *murk_image_channel_name(const murk_image *image, int channel);
-/** All pixels: width * height * channels floats, channels of a pixel together, row 0 on top. */
-MURK_API float *murk_image_pixels(murk_image *image);
-MURK_API const float *murk_image_pixels_const(const murk_image *image);
-/** Gives an image an attribute, or an attribute another text; both are copied. Fails with
- *  MURK_ERROR_INPUT for an empty name, with MURK_ERROR_MEMORY when memory runs out. */
-MURK_API murk_status murk_image_set_attribute(murk_image *image, const char *name,
-                                              const char *text);
-/** The text of an attribute, or NULL where there is none; valid until it is set again. */
-MURK_API const char *murk_image_attribute(const murk_image *image, const char *name);
-
-typedef struct murk_image_write_options {
-    double exposure;     /**< stops, for 8-bit formats; NaN: brings the 99th percentile of the
-                              luminance to the display value 0.9 */
-    const char *command; /**< recorded as metadata where the format can; may be NULL */
-    const char *units;   /**< likewise, "W/m^2/sr"; may be NULL */
-} murk_image_write_options;
-
-#define MURK_IMAGE_WRITE_DEFAULT                                                                   \
-    {                                                                                              \
-        .exposure = NAN, .command = NULL, .units = NULL                                            \
-    }
-
-/** Writes an image; the format follows the path's extension. EXR keeps all channels as linear
- *  floats and all attributes; PNG and other 8-bit formats take R, G, B with exposure and the sRGB
- *  curve, values that are not finite as 0. Written beside the target, then renamed. options may be
- *  NULL. */
-MURK_API murk_status murk_image_write(murk_context *context, const murk_image *image,
-                                      const char *path, const murk_image_write_options *options);
-
 /** Fails as murk_image_write() or, for .vdb and "-", murk_solution_write() would for this path:
  *  unknown format, folder that is not there or cannot be written. To be asked before long work. */
 MURK_API murk_status murk_output_check(murk_context *context, const char *path);
-
-/** Writes a file of any other content, `size` bytes: beside the target, then renamed. Fails with
- *  MURK_ERROR_IO where that is impossible. */
-MURK_API murk_status murk_file_write(murk_context *context, const char *path, const void *bytes,
-                                     size_t size);
-
-/** Fails as murk_file_write() would for this path, as far as that can be told before. */
-MURK_API murk_status murk_file_check(murk_context *context, const char *path);
 
 #ifdef __cplusplus
 }

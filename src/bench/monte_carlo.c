@@ -4,24 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Starts a sequence of packets: random, so that batches are independent. */
-static void spread_begin(struct bench_mc_walk *walk)
-{
-    for (int d = 0; d < SPREAD; d++)
-        walk->spread[d] = bench_mc_draw(walk);
-}
-
-/* The next point of an additive recurrence (Weyl 1916): multiples of the powers of 1/g, g the
-   positive root of x^7 = x + 1. Each point by itself is uniformly distributed. */
-static void spread_next(struct bench_mc_walk *walk)
-{
-    double power = 1;
-    for (int d = 0; d < SPREAD; d++) {
-        power /= 1.1127756842787055;
-        walk->spread[d] = fmod(walk->spread[d] + power, 1);
-    }
-}
-
 static bool has_ground(const struct bench_mc_scene *s)
 {
     return s->patches[0] > 0;
@@ -52,11 +34,11 @@ static void shine_on_box(struct bench_mc_walk *walk, bool sun, long packets)
         area[a] = sun ? face[a] * fabs(s->sun[a]) : 2 * face[a];
     }
     double power = (area[0] + area[1] + area[2]) * (sun ? s->irradiance : M_PI * s->sky_radiance);
-    spread_begin(walk);
+    bench_mc_spread_begin(walk);
     for (long n = 0; n < packets; n++) {
         struct bench_mc_packet p = {.w = power / (double)packets,
                                     .origin = sun ? FROM_SUN : FROM_OUTSIDE};
-        spread_next(walk);
+        bench_mc_spread_next(walk);
         for (int a = 0; a < 3; a++)
             side[a] = sun ? s->sun[a] : bench_mc_draw(walk) - 0.5;
         int axis = place_on_box(walk, area, side, p.at);
@@ -77,9 +59,9 @@ static void shine_on_ground(struct bench_mc_walk *walk, bool sun, long packets)
     const struct bench_mc_scene *s = walk->scene;
     int count = s->patches[0] * s->patches[1];
     double irradiance = sun ? -s->irradiance * s->sun[2] : M_PI * s->sky_radiance;
-    spread_begin(walk);
+    bench_mc_spread_begin(walk);
     for (long n = 0; n < packets; n++) {
-        spread_next(walk);
+        bench_mc_spread_next(walk);
         int patch = (int)(walk->spread[CHOICE] * count);
         struct bench_mc_packet p;
         double back[3] = {-s->sun[0], -s->sun[1], -s->sun[2]};
@@ -123,11 +105,11 @@ static bool emit(struct bench_mc_walk *walk, bool zones, long packets)
                      : s->ground_emission[i] * walk->patch_area;
         sums[i] = sum;
     }
-    spread_begin(walk);
+    bench_mc_spread_begin(walk);
     for (long n = 0; sum > 0 && n < packets; n++) {
         struct bench_mc_packet p = {.w = sum / (double)packets};
         const double *spread = walk->spread;
-        spread_next(walk);
+        bench_mc_spread_next(walk);
         int chosen = pick(sums, count, spread[CHOICE] * sum);
         p.origin = zones ? FROM_ZONE : FROM_OUTSIDE;
         if (zones) {
@@ -147,14 +129,10 @@ bool bench_mc_run(const struct bench_mc_scene *scene, bool exact, uint64_t seed,
                   struct bench_mc_tally *tally)
 {
     const struct bench_mc_scene *s = scene;
-    struct bench_mc_walk walk = {
-        .scene = s, .tally = tally, .exact = exact, .random = seed * 0xD1342543DE82EF95u};
-    walk.cell_volume = s->voxel[0] * s->voxel[1] * s->voxel[2];
-    for (int a = 0; a < 3; a++)
-        walk.box_high[a] = s->low[a] + s->size[a] * s->voxel[a];
-    for (int c = 0; c < 2 && has_ground(s); c++)
-        walk.patch_size[c] = (s->ground_high[c] - s->ground_low[c]) / s->patches[c];
-    walk.patch_area = walk.patch_size[0] * walk.patch_size[1];
+    struct bench_mc_walk walk;
+    bench_mc_walk_begin(&walk, s, seed);
+    walk.tally = tally;
+    walk.exact = exact;
     for (int sun = 0; sun < 2; sun++) {
         if (!((sun ? s->irradiance : s->sky_radiance) > 0))
             continue;

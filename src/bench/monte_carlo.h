@@ -2,8 +2,8 @@
 /*
  * A Monte Carlo that shares no code with the library: packets of light run through a dense array of
  * voxels over a plane of patches. Every zone on a flight gets the part of the packet that it is
- * expected to extinguish. Where the flight ends is drawn; there the packet scatters isotropically,
- * with the albedo as its weight, until Russian roulette ends it.
+ * expected to extinguish. Where the flight ends is drawn; there the packet scatters, with the
+ * albedo as its weight, until Russian roulette ends it.
  *
  * What leaves a zone begins, by what the Monte Carlo is asked for,
  *  - at a point uniformly distributed in the zone: the zonal model, whose source, 4 kappa B per
@@ -24,6 +24,7 @@ struct bench_mc_scene {
     int size[3];             /* zones [i][j][k], the last index fastest */
     double voxel[3], low[3]; /* m */
     const float *kappa_t, *albedo, *emission;
+    double asymmetry; /* g of the phase function of Henyey and Greenstein, in (-1, 1) */
 
     int patches[2]; /* columns along x, rows along y; 0: no ground, the sky is all around */
     double height, ground_low[2], ground_high[2];      /* m; below the medium; black beyond */

@@ -76,44 +76,66 @@ static murk_status fail_picture(struct cli_job *job, murk_status status)
     return status;
 }
 
-static murk_status no_such_band(struct cli_job *job, const murk_picture_band *bands, size_t count)
+static murk_status no_such_band(struct cli_job *job, const char *name,
+                                const murk_picture_band *bands, size_t count)
 {
     char list[512] = "";
     size_t used = 0;
     for (size_t i = 0; i < count && used < sizeof list; i++)
         used +=
             (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", bands[i].name);
-    cli_error(&job->terminal, "--band %s: %s has no such band, but %s", job->options->band,
-              job->options->input, list);
+    cli_error(&job->terminal, "--bands: %s has no band %s, but %s", job->options->input, name,
+              list);
     return MURK_ERROR_INPUT;
+}
+
+/* Puts those of the list "R,LWIR" first, in its order; *count becomes their number. */
+static murk_status choose_bands(struct cli_job *job, murk_picture_band *bands, size_t *count)
+{
+    char *names = strdup(job->options->bands), *rest = NULL;
+    murk_status status = names ? MURK_OK : out_of_memory(job);
+    size_t kept = 0;
+    for (char *name = names ? strtok_r(names, ",", &rest) : NULL; name && status == MURK_OK;
+         name = strtok_r(NULL, ",", &rest)) {
+        size_t at = kept;
+        while (at < *count && strcmp(bands[at].name, name))
+            at++;
+        if (at == *count) {
+            status = no_such_band(job, name, bands, *count);
+        } else {
+            murk_picture_band found = bands[at];
+            bands[at] = bands[kept];
+            bands[kept++] = found;
+        }
+    }
+    if (status == MURK_OK && !kept)
+        status = no_such_band(job, "", bands, *count);
+    free(names);
+    *count = kept;
+    return status;
 }
 
 /* The bands of the picture that are asked for, from malloc. */
 static murk_status find_bands(struct cli_job *job, const murk_image *picture,
                               murk_picture_band **out, size_t *count)
 {
-    const char *only = job->options->band;
-    murk_picture_band *bands;
-    size_t all, kept = 0;
+    size_t all;
     murk_status status =
         fail_picture(job, murk_picture_bands(job->context, picture, 0, NULL, &all));
     if (status != MURK_OK)
         return status;
-    bands = malloc(all * sizeof *bands);
+    murk_picture_band *bands = malloc(all * sizeof *bands);
     if (!bands)
         return out_of_memory(job);
     status = fail_picture(job, murk_picture_bands(job->context, picture, all, bands, &all));
-    for (size_t i = 0; i < all; i++)
-        if (!only || !strcmp(bands[i].name, only))
-            bands[kept++] = bands[i];
-    if (status == MURK_OK && kept == 0)
-        status = no_such_band(job, bands, all);
+    if (status == MURK_OK && job->options->bands)
+        status = choose_bands(job, bands, &all);
     if (status != MURK_OK) {
         free(bands);
         return status;
     }
     *out = bands;
-    *count = kept;
+    *count = all;
     return MURK_OK;
 }
 

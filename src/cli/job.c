@@ -68,7 +68,7 @@ static void apply_medium_options(const struct cli_options *options, const char *
     if (obscurant) {
         description->obscurant = obscurant;
         description->mass_extinction = NAN;
-        description->albedo_named = false;
+        description->albedo_named = description->asymmetry_named = false;
     }
     if (!isnan(options->scale)) {
         medium->extinction.scale = options->scale;
@@ -223,18 +223,16 @@ static void release_solutions(murk_solution *solution[SCENE_BANDS_MAX])
 murk_status cli_job_solve(struct cli_job *job)
 {
     murk_solve_options options = job->options->solve;
-    murk_status worst = MURK_OK;
+    murk_scene scenes[SCENE_BANDS_MAX];
     if (!strcmp(job->command, "image") && !job->options->radiosity)
         options.camera = &job->scene.camera; /* nothing else will see the solution */
-    for (size_t n = 0; n < job->scene.band_count && !cli_job_failed(worst); n++) {
-        options.start = job->start[n];
-        murk_status status =
-            murk_solve(job->context, &job->scene.band[n].scene, &options, &job->solution[n]);
-        worst = status != MURK_OK ? status : worst;
-    }
+    for (size_t n = 0; n < job->scene.band_count; n++)
+        scenes[n] = job->scene.band[n].scene;
+    murk_status status = murk_solve_many(job->context, scenes, job->scene.band_count, &options,
+                                         (const murk_solution *const *)job->start, job->solution);
     release_solutions(job->start);
     cli_terminal_clear(&job->terminal);
-    return cli_job_fail(job, worst);
+    return cli_job_fail(job, status);
 }
 
 bool cli_job_chose_scale(const struct cli_job *job, murk_medium_info *info)

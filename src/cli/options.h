@@ -76,7 +76,7 @@ struct cli_options {
     const char *volume, *curves;
 
     const char *target_region, *background_region; /* X,Y,WxH or the path of a mask */
-    const char *band, *plot;
+    const char *plot;
     double netd, snr;
     int against; /* one of enum cli_against */
 

@@ -48,6 +48,7 @@ murk_status murk_medium_from_array(murk_context *context, const murk_array *arra
                                .emission_value = array->emission_value,
                                .albedo_scale = 1,
                                .emission_scale = 1,
+                               .asymmetry = array->asymmetry,
                                .strict = true,
                                .where = "array"};
     if (!cut(array, array->kappa_t, array->kappa_t_value, &parts.kappa_t) ||

@@ -64,6 +64,7 @@ murk_status murk_medium_from_bricks(murk_context *context, const murk_brick_arra
                                .emission_value = bricks->emission_value,
                                .albedo_scale = 1,
                                .emission_scale = 1,
+                               .asymmetry = bricks->asymmetry,
                                .strict = true,
                                .where = "bricks"};
     struct place *places = NULL;

@@ -175,6 +175,16 @@ static murk_status add_thermal(murk_context *context, murk_medium *medium,
     return MURK_OK;
 }
 
+static murk_status check_asymmetry(murk_context *context, const murk_medium_parts *parts)
+{
+    if (parts->asymmetry > -1 && parts->asymmetry < 1)
+        return MURK_OK;
+    return murk_fail(context, MURK_ERROR_INPUT,
+                     "%s: asymmetry %g is not between -1 and 1; 0 scatters evenly, clouds about "
+                     "0.85",
+                     parts->where, parts->asymmetry);
+}
+
 murk_status murk_medium_build(murk_context *context, murk_medium_parts *parts, murk_medium **out)
 {
     murk_status status = MURK_ERROR_MEMORY;
@@ -186,7 +196,10 @@ murk_status murk_medium_build(murk_context *context, murk_medium_parts *parts, m
     medium->references = 1;
     medium->corner = parts->corner;
     medium->extinction_scale = parts->extinction_scale;
-    status = clean_extinction(context, parts, &medium->invalid_voxels);
+    medium->asymmetry = parts->asymmetry;
+    status = check_asymmetry(context, parts);
+    if (!status)
+        status = clean_extinction(context, parts, &medium->invalid_voxels);
     if (!status)
         status = make_grids(context, medium, parts);
     if (!status)
@@ -227,10 +240,13 @@ void murk_medium_release(murk_medium *medium)
 {
     if (!medium || --medium->references > 0)
         return;
-    murk_grid_release(medium->grid);
-    murk_grid_release(medium->input);
+    if (!medium->whole) {
+        murk_grid_release(medium->grid);
+        murk_grid_release(medium->input);
+        murk_free(medium->emission.field);
+    }
+    murk_medium_release(medium->whole);
     murk_free(medium->kappa_t);
     murk_free(medium->albedo.field);
-    murk_free(medium->emission.field);
     murk_free(medium);
 }

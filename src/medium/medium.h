@@ -22,10 +22,12 @@ struct murk_medium {
     float *kappa_t;       /* field [1/m]; 0 where there is no zone */
     murk_values albedo;   /* of the zones */
     murk_values emission; /* E of the zones [W/m^2] */
+    double asymmetry;     /* g of the phase function, in (-1, 1) */
     murk_grid *input;     /* every active voxel of the input, zone or not */
     bool corner;
     uint64_t invalid_voxels;
     double extinction_scale; /* kappa_t per unit of the grid, 0 where there was none */
+    murk_medium *whole;      /* whose grids and emission these are, shared; NULL: its own */
 };
 
 /* What a medium is made from: kappa_t carries the topology (all active voxels, values already
@@ -37,6 +39,7 @@ typedef struct murk_medium_parts {
     double albedo_scale, emission_scale, temperature_scale; /* multiply the grid values */
     double temperature_offset;                              /* then added to them */
     murk_band band;                                         /* that temperatures radiate in */
+    double asymmetry;
     double extinction_scale; /* that kappa_t was scaled by, to be kept for reports */
     bool corner, strict;
     const char *where; /* for messages: "plume.vdb, grid density" */

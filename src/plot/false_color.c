@@ -80,15 +80,22 @@ static void put(murk_image *image, int x, int y, murk_color color)
     pixel[2] = color.b;
 }
 
+/* Pixels take the nearest of so many colours, which lie closer than bytes can tell. */
+enum { SHADES = 2048 };
+
 static void draw_picture(const murk_image *image, int channel, const double range[2],
                          murk_image *out)
 {
+    murk_color shade[SHADES + 1];
+    const double scale = SHADES / (range[1] - range[0]);
+    for (int i = 0; i <= SHADES; i++)
+        shade[i] = murk_false_color_at((double)i / SHADES);
     for (int y = 0; y < image->height; y++)
         for (int x = 0; x < image->width; x++) {
             size_t pixel = (size_t)y * (size_t)image->width + (size_t)x;
             double value = image->pixels[pixel * (size_t)image->channels + (size_t)channel];
-            double part = isfinite(value) ? (value - range[0]) / (range[1] - range[0]) : NAN;
-            put(out, x, y, murk_false_color_at(part));
+            double place = fmin(fmax((value - range[0]) * scale, 0), SHADES);
+            put(out, x, y, isfinite(value) ? shade[(int)(place + 0.5)] : murk_false_color_at(NAN));
         }
 }
 
@@ -123,7 +130,7 @@ static murk_status draw_numbers(murk_context *context, const struct layout *l,
 {
     murk_tick ticks[MURK_TICKS_MOST];
     const double room = 1.5 * l->size / l->bar.height;
-    int most = (int)fmin(10, fmax(2, 0.4 / room));
+    int most = (int)fmin(10, fmax(2, 0.6 / room));
     int count = murk_axis_ticks(false, range, most, ticks);
     murk_status status = MURK_OK;
     for (int end = 0; end < 2 && !status; end++) {

@@ -24,7 +24,7 @@ static float value_of(uint32_t rank)
 }
 
 /* The bin in which the n-th falls, n from 0; n becomes its place in the bin. */
-static uint32_t find_bin(const size_t bins[HALF], size_t *n)
+static uint32_t find_bin(const uint32_t bins[HALF], size_t *n)
 {
     uint32_t bin = 0;
     while (*n >= bins[bin])
@@ -34,7 +34,8 @@ static uint32_t find_bin(const size_t bins[HALF], size_t *n)
 
 double murk_percentile(const float *values, size_t count, size_t stride, double part)
 {
-    size_t bins[HALF] = {0}, finite = 0;
+    uint32_t bins[HALF] = {0};
+    size_t finite = 0;
     for (size_t i = 0; i < count; i++)
         if (isfinite(values[i * stride])) {
             bins[rank_of(values[i * stride]) >> 16]++;

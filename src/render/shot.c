@@ -39,6 +39,14 @@ static murk_status take_parts(murk_context *context, murk_shot *shot)
     return murk_march_glow(context, shot->solution, &shot->march, &shot->glow);
 }
 
+/* Light that is scattered forward out of the beam reaches the ground with it: the solution has lit
+   the patches through the reduced medium, and so must be the points of the picture. */
+static const murk_march *shadow_march(const murk_shot *shot)
+{
+    const murk_forward *forward = &shot->peaked;
+    return murk_forward_needed(forward) ? &forward->march : &shot->march;
+}
+
 murk_status murk_shot_create(murk_context *context, const murk_solution *solution,
                              const murk_view *view, const murk_render_options *options,
                              murk_shot *out)
@@ -56,10 +64,12 @@ murk_status murk_shot_create(murk_context *context, const murk_solution *solutio
     murk_status status = murk_march_create(context, solution, &out->march);
     if (!status && out->parts)
         status = take_parts(context, out);
+    if (!status && solution->medium->asymmetry != 0)
+        status = murk_forward_create(context, solution, &out->peaked);
     if (!status)
         status = murk_seen(context, solution->medium->grid, out->march.box, view, &out->seen);
     if (!status && out->has_backdrop)
-        status = murk_backdrop_create(context, solution, &out->march, options->background,
+        status = murk_backdrop_create(context, solution, shadow_march(out), options->background,
                                       &out->backdrop);
     if (status)
         murk_shot_clear(out);
@@ -69,6 +79,8 @@ murk_status murk_shot_create(murk_context *context, const murk_solution *solutio
 void murk_shot_clear(murk_shot *shot)
 {
     murk_free(shot->glow.blocks);
+    if (murk_forward_needed(&shot->peaked))
+        murk_forward_clear(&shot->peaked);
     murk_march_clear(&shot->march);
     murk_bins_clear(&shot->seen);
     murk_backdrop_clear(&shot->backdrop);
@@ -179,6 +191,27 @@ static bool march_glow(const murk_shot *shot, const int32_t *brick, size_t count
     return true;
 }
 
+/* pi times the radiance that lies behind the medium about each ray: of the sky, or of the ground,
+   as far around as light is turned aside half way through the medium. */
+static void look_around(const murk_shot *shot, const beam *rays, const murk_packet *packet,
+                        const murk_forwarded *passed, const murk_trace *trace,
+                        double behind[MURK_LANES])
+{
+    const murk_forward *forward = &shot->peaked;
+    const murk_ground *ground = shot->solution->ground;
+    int a = ground ? murk_ground_axis_a(ground) : 0, b = ground ? murk_ground_axis_b(ground) : 0;
+    for (int l = 0; l < MURK_LANES; l++) {
+        double t = rays->t_ground[l];
+        behind[l] = M_PI * shot->solution->sky_radiance;
+        if (t < MURK_FOREVER && packet->depth[l] > 0)
+            behind[l] =
+                murk_blur_mean(&forward->ground, shot->view.eye[a] + t * rays->direction[a][l],
+                               shot->view.eye[b] + t * rays->direction[b][l],
+                               murk_forward_spread(forward, packet->depth[l] - passed->depth[l]) *
+                                   fmax(t - murk_trace_half(trace, l, packet->depth[l]), 1e-6 * t));
+    }
+}
+
 bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace,
                      murk_sum sum[MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS])
 {
@@ -193,9 +226,19 @@ bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace
             murk_packet packet;
             double behind[3][MURK_LANES], glow[MURK_LANES];
             aim(shot, left, top, i, j, &rays, &packet);
+            murk_forwarded passed;
+            bool forward = murk_forward_needed(&shot->peaked);
             if (!march_glow(shot, brick, count, &packet, trace, glow) ||
-                !murk_march_light(&shot->march, brick, count, &packet, trace))
+                (forward &&
+                 !murk_forward_march(&shot->peaked, brick, count, &packet, trace, &passed)) ||
+                !murk_march_light(murk_forward_itself(&shot->peaked, &shot->march), brick, count,
+                                  &packet, trace))
                 return false;
+            if (forward) {
+                double average[MURK_LANES];
+                look_around(shot, &rays, &packet, &passed, trace, average);
+                murk_forward_light(&shot->peaked, &passed, rays.direction, average, &packet);
+            }
             look_behind(shot, &rays, &packet, behind);
             add(shot, i, j, &packet, shot->all_glow ? packet.path : glow, trace, behind, sum);
         }

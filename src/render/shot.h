@@ -4,6 +4,7 @@
 #define MURK_RENDER_SHOT_H
 
 #include "backdrop.h"
+#include "forward.h"
 #include "seen.h"
 
 typedef struct murk_shot {
@@ -15,6 +16,7 @@ typedef struct murk_shot {
     bool parts;      /* whether the parts of a sensor's signal are asked for */
     murk_march glow; /* of what zones radiate by themselves; no blocks: nothing, or all of it */
     bool all_glow;   /* light is not scattered: the path radiance is emitted */
+    murk_forward peaked;
     murk_bins seen;
     bool has_backdrop;
     murk_backdrop backdrop;

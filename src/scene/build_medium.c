@@ -27,6 +27,8 @@ static murk_status take_obscurant(const struct scene_description *description,
     *mass = optics.mass_extinction;
     if (!description->albedo_named)
         options->albedo = (murk_quantity){NULL, 1.0, optics.albedo};
+    if (!description->asymmetry_named)
+        options->asymmetry = optics.asymmetry;
     return MURK_OK;
 }
 

@@ -19,6 +19,7 @@ scene_read_fn scene_read_medium, scene_read_sun, scene_read_sky, scene_read_grou
 
 /* The optical properties, where medium and bands have them. */
 scene_read_fn scene_read_extinction, scene_read_mass_extinction;
+#define ASYMMETRY_RANGE  .min = -1.0, .max = 1.0, .open = true, .range = "between -1 and 1"
 #define EXTINCTION_RANGE .min = 0.0, .max = INFINITY, .range = "a number >= 0 [1/m]"
 
 scene_read_fn scene_read_voxels; /* bool: corner */

@@ -41,6 +41,7 @@ static bool read_band(struct scene_reader *reader, const json_t *value,
         {"mass_extinction", scene_read_mass_extinction, WHOLE, POSITIVE},
         {"albedo", scene_read_quantity, FIELD(medium.albedo), .min = 0.0, .max = 1.0,
          .range = "between 0 and 1"},
+        {"asymmetry", scene_read_number, FIELD(medium.asymmetry), ASYMMETRY_RANGE},
         {"emission", scene_read_quantity, FIELD(medium.emission), NOT_NEGATIVE},
         {"sun", scene_read_sun, WHOLE},
         {"sky", scene_read_sky, WHOLE},
@@ -53,6 +54,7 @@ static bool read_band(struct scene_reader *reader, const json_t *value,
         band->medium.albedo = (murk_quantity){NULL, 1.0, 0.0};
         band->albedo_named = true;
     }
+    band->asymmetry_named |= json_object_get(value, "asymmetry") != NULL;
     if (json_object_get(value, "emission"))
         band->medium.emission = (murk_quantity){NULL, 1.0, 0.0};
     const json_t *ground = json_object_get(value, "ground");

@@ -58,6 +58,7 @@ bool scene_read_medium(struct scene_reader *reader, const json_t *value, void *f
         {"obscurant", scene_read_text, FIELD(obscurant)},
         {"albedo", scene_read_quantity, FIELD(medium.albedo), .min = 0.0, .max = 1.0,
          .range = "between 0 and 1"},
+        {"asymmetry", scene_read_number, FIELD(medium.asymmetry), ASYMMETRY_RANGE},
         {"emission", scene_read_quantity, FIELD(medium.emission), NOT_NEGATIVE},
         {"temperature", read_temperature, FIELD(medium), KELVIN},
         {"voxels", scene_read_voxels, FIELD(medium.corner)},
@@ -75,5 +76,6 @@ bool scene_read_medium(struct scene_reader *reader, const json_t *value, void *f
                           "takes one of \"extinction\", \"mass_extinction\" and \"obscurant\"");
     struct scene_description *description = field;
     description->albedo_named = json_object_get(value, "albedo") != NULL;
+    description->asymmetry_named = json_object_get(value, "asymmetry") != NULL;
     return scene_read_object(reader, value, KEYS, COUNT(KEYS), field);
 }

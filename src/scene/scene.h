@@ -24,7 +24,7 @@ struct scene_description {
     bool has_concentration;
     double mass_extinction; /* [m^2/g]; open: kappa_t is medium.extinction */
     const char *obscurant;  /* a file of such values, of albedo and asymmetry, or NULL */
-    bool albedo_named;      /* goes before that of the obscurant */
+    bool albedo_named, asymmetry_named; /* go before those of the obscurant */
     bool sun_named, sky_named, ground_named;
     murk_sun sun;
     double sky_radiance;

@@ -2,12 +2,12 @@
 #include "finish.h"
 
 #include "lines.h"
+#include "similarity.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Albedo at a voxel that is no zone: the mean over the nearest zones, `mean` where none is near. */
-static float margin_albedo(const murk_medium *medium, const int32_t voxel[3], double mean)
+float murk_margin_albedo(const murk_medium *medium, const int32_t voxel[3], double mean)
 {
     if (!medium->albedo.field)
         return medium->albedo.constant;
@@ -32,7 +32,7 @@ static float margin_albedo(const murk_medium *medium, const int32_t voxel[3], do
     return (float)mean;
 }
 
-static double mean_albedo(const murk_medium *medium)
+double murk_mean_albedo(const murk_medium *medium)
 {
     double sum = 0, weight = 0;
     if (!medium->albedo.field)
@@ -49,7 +49,7 @@ static void fill_margin(murk_solution *solution, const murk_stage *stage,
 {
     const float *net = arrived->net;
     const murk_grid *grid = solution->grid;
-    double mean = mean_albedo(solution->medium);
+    double mean = murk_mean_albedo(solution->medium);
 #pragma omp parallel for num_threads(solution->context->threads) schedule(static)
     for (size_t b = 0; b < grid->brick_count; b++)
         for (int s = 0; s < MURK_BRICK_SLOTS; s++) {
@@ -60,7 +60,7 @@ static void fill_margin(murk_solution *solution, const murk_stage *stage,
             const int32_t voxel[3] = {grid->brick[b][0] * 8 + (s >> 6),
                                       grid->brick[b][1] * 8 + (s >> 3 & 7),
                                       grid->brick[b][2] * 8 + (s & 7)};
-            float albedo = margin_albedo(solution->medium, voxel, mean);
+            float albedo = murk_margin_albedo(solution->medium, voxel, mean);
             solution->radiosity[i] =
                 fmaxf(0, albedo * (net[i] + solution->radiosity[i] + stage->beam[i] / 4));
         }
@@ -139,11 +139,9 @@ double murk_finish(murk_solution *solution, const murk_stage *stage, const murk_
     return sums.size > 0 ? sqrt(sums.change / sums.size) : 0;
 }
 
-murk_status murk_solution_light_ground(murk_context *context, murk_solution *solution)
+static murk_status light_ground(murk_context *context, murk_solution *solution)
 {
     enum { DIRECTIONS = 384 };
-    if (!solution->ground)
-        return MURK_OK;
     murk_stage stage;
     murk_status status = murk_stage_create(context, &solution, 1, INFINITY, &stage);
     if (status)
@@ -175,5 +173,20 @@ murk_status murk_solution_light_ground(murk_context *context, murk_solution *sol
     murk_free(incident);
     murk_free(scattered);
     murk_stage_clear(&stage);
+    return status;
+}
+
+murk_status murk_solution_light_ground(murk_context *context, murk_solution *solution)
+{
+    if (!solution->ground)
+        return MURK_OK;
+    if (solution->medium->asymmetry == 0)
+        return light_ground(context, solution);
+    murk_solution reduced;
+    murk_status status = murk_similarity_reduce(context, solution, &reduced);
+    if (status)
+        return status;
+    status = light_ground(context, &reduced);
+    murk_similarity_clear(&reduced);
     return status;
 }

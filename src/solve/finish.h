@@ -23,4 +23,10 @@ typedef struct murk_arrived {
 double murk_finish(murk_solution *solution, const murk_stage *stage, const murk_arrived *arrived,
                    bool keep);
 
+/* Albedo at a voxel that is no zone: the mean over the nearest zones, `mean` where none is near. */
+float murk_margin_albedo(const murk_medium *medium, const int32_t voxel[3], double mean);
+
+/* The mean albedo of the zones, weighted by kappa_t. */
+double murk_mean_albedo(const murk_medium *medium);
+
 #endif

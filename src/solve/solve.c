@@ -4,6 +4,7 @@
 #include "alike.h"
 #include "levels.h"
 #include "multiplications.h"
+#include "similarity.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -139,6 +140,91 @@ static murk_status fill(murk_context *context, const murk_scene scene[], size_t 
     return worst;
 }
 
+static murk_status solve(murk_context *context, const murk_scene scene[], size_t count,
+                         const murk_solve_options *options, const murk_solution *const start[],
+                         murk_solution *out[])
+{
+    murk_solution **solution = murk_alloc(count, sizeof *solution);
+    if (!solution)
+        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu scenes", count);
+    murk_status status = create(context, scene, count, options, solution);
+    if (!status)
+        status = fill(context, scene, count, options, start, solution);
+    for (size_t n = 0; n < count; n++) {
+        if (status && status != MURK_NOT_REACHED)
+            murk_solution_release(solution[n]);
+        else
+            out[n] = solution[n];
+    }
+    murk_free(solution);
+    return status;
+}
+
+/* ---- forward scattering -------------------------------------------------------------------- */
+
+static bool scatters_forward(const murk_medium *medium)
+{
+    return medium && medium->asymmetry != 0;
+}
+
+/* The scenes that are solved in place of those whose media scatter forward, and where their
+   iterations start. What is not such a medium or start is 0 here. */
+typedef struct similar {
+    murk_scene *scene;
+    murk_medium **medium;
+    murk_solution *begun;
+    const murk_solution **start;
+} similar;
+
+static murk_status reduce(murk_context *context, const murk_scene *scene,
+                          const murk_solution *start, size_t n, similar *to)
+{
+    murk_status status = MURK_OK;
+    to->scene[n] = *scene;
+    to->start[n] = start;
+    if (scatters_forward(scene->medium)) {
+        status =
+            murk_medium_reduce(context, scene->medium, scene->medium->asymmetry, &to->medium[n]);
+        to->scene[n].medium = to->medium[n];
+    }
+    if (!status && start && scatters_forward(start->medium)) {
+        status = murk_similarity_reduce(context, start, &to->begun[n]);
+        to->start[n] = &to->begun[n];
+    }
+    return status;
+}
+
+static murk_status solve_similar(murk_context *context, const murk_scene scene[], size_t count,
+                                 const murk_solve_options *options,
+                                 const murk_solution *const start[], murk_solution *out[])
+{
+    similar to = {.scene = murk_alloc(count, sizeof *to.scene),
+                  .medium = murk_alloc(count, sizeof(murk_medium *)),
+                  .begun = murk_alloc(count, sizeof *to.begun),
+                  .start = murk_alloc(count, sizeof(murk_solution *))};
+    murk_status status = MURK_OK;
+    if (!to.scene || !to.medium || !to.begun || !to.start) {
+        status = murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu scenes", count);
+        count = 0;
+    }
+    for (size_t n = 0; !status && n < count; n++)
+        status = reduce(context, &scene[n], start ? start[n] : NULL, n, &to);
+    if (!status)
+        status = solve(context, to.scene, count, options, to.start, out);
+    for (size_t n = 0; n < count; n++) {
+        if (to.medium[n] && (!status || status == MURK_NOT_REACHED))
+            murk_similarity_restore(out[n], scene[n].medium);
+        if (to.start[n] == &to.begun[n])
+            murk_similarity_clear(&to.begun[n]);
+        murk_medium_release(to.medium[n]);
+    }
+    murk_free(to.scene);
+    murk_free(to.medium);
+    murk_free(to.begun);
+    murk_free(to.start);
+    return status;
+}
+
 murk_status murk_solve_many(murk_context *context, const murk_scene scene[], size_t count,
                             const murk_solve_options *options, const murk_solution *const start[],
                             murk_solution *out[])
@@ -150,20 +236,12 @@ murk_status murk_solve_many(murk_context *context, const murk_scene scene[], siz
     murk_status status = check(context, &o);
     if (status)
         return status;
-    murk_solution **solution = murk_alloc(count, sizeof *solution);
-    if (!solution)
-        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu scenes", count);
-    status = create(context, scene, count, &o, solution);
-    if (!status)
-        status = fill(context, scene, count, &o, start, solution);
-    for (size_t n = 0; n < count; n++) {
-        if (status && status != MURK_NOT_REACHED)
-            murk_solution_release(solution[n]);
-        else
-            out[n] = solution[n];
-    }
-    murk_free(solution);
-    return status;
+    bool forward = false;
+    for (size_t n = 0; n < count; n++)
+        forward = forward || scatters_forward(scene[n].medium) ||
+                  (start && start[n] && scatters_forward(start[n]->medium));
+    return forward ? solve_similar(context, scene, count, &o, start, out)
+                   : solve(context, scene, count, &o, start, out);
 }
 
 murk_status murk_solve(murk_context *context, const murk_scene *scene,

@@ -176,6 +176,7 @@ murk_status murk_medium_from_volume(murk_context *context, const murk_volume *vo
     char where[800];
     parts->corner = a.options->corner;
     parts->band = a.options->band;
+    parts->asymmetry = a.options->asymmetry;
     parts->strict = a.options->strict;
     parts->where = where;
     murk_status status = check_options(&a);

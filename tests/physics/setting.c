@@ -69,7 +69,10 @@ static int image_of(const struct bench_mc_scene *s, int patch)
 void setting_open(const struct bench_mc_scene *s, int threads, struct world *w)
 {
     float rho[MOST_PATCHES], glow[MOST_PATCHES];
-    murk_array array = {.kappa_t = s->kappa_t, .albedo = s->albedo, .emission = s->emission};
+    murk_array array = {.kappa_t = s->kappa_t,
+                        .albedo = s->albedo,
+                        .emission = s->emission,
+                        .asymmetry = s->asymmetry};
     for (int a = 0; a < 3; a++) {
         array.size[a] = s->size[a];
         array.voxel_size[a] = s->voxel[a];

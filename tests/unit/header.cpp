@@ -3,8 +3,10 @@
 #include "murk/band.h"
 #include "murk/bands.h"
 #include "murk/contrast.h"
+#include "murk/core.h"
 #include "murk/exchange.h"
 #include "murk/false_color.h"
+#include "murk/image.h"
 #include "murk/murk.h"
 #include "murk/plot.h"
 

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file image.h
+ * Images of named float channels, and the files that hold them. murk.h includes it.
+ */
+#ifndef MURK_IMAGE_H
+#define MURK_IMAGE_H
+
+#include "core.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Pixels with named channels, row 0 at the top. */
+typedef struct murk_image murk_image;
+
+/** Makes an image of float channels; names are copied, pixels start at 0. */
+MURK_API murk_status murk_image_create(murk_context *context, int width, int height, int channels,
+                                       const char *const *names, murk_image **out);
+/** Reads any image that OpenImageIO reads, as linear floats with its channel names and those of its
+ *  attributes that are text. */
+MURK_API murk_status murk_image_read(murk_context *context, const char *path, murk_image **out);
+MURK_API void murk_image_release(murk_image *image);
+MURK_API int murk_image_width(const murk_image *image);
+MURK_API int murk_image_height(const murk_image *image);
+MURK_API int murk_image_channels(const murk_image *image);
+MURK_API const char *murk_image_channel_name(const murk_image *image, int channel);
+/** All pixels: width * height * channels floats, channels of a pixel together, row 0 on top. */
+MURK_API float *murk_image_pixels(murk_image *image);
+MURK_API const float *murk_image_pixels_const(const murk_image *image);
+/** Gives an image an attribute, or an attribute another text; both are copied. Fails with
+ *  MURK_ERROR_INPUT for an empty name, with MURK_ERROR_MEMORY when memory runs out. */
+MURK_API murk_status murk_image_set_attribute(murk_image *image, const char *name,
+                                              const char *text);
+/** The text of an attribute, or NULL where there is none; valid until it is set again. */
+MURK_API const char *murk_image_attribute(const murk_image *image, const char *name);
+
+typedef struct murk_image_write_options {
+    double exposure;     /**< stops, for 8-bit formats; NaN: brings the 99th percentile of the
+                              luminance to the display value 0.9 */
+    const char *command; /**< recorded as metadata where the format can; may be NULL */
+    const char *units;   /**< likewise, "W/m^2/sr"; may be NULL */
+} murk_image_write_options;
+
+#define MURK_IMAGE_WRITE_DEFAULT                                                                   \
+    {                                                                                              \
+        .exposure = NAN, .command = NULL, .units = NULL                                            \
+    }
+
+/** Writes an image; the format follows the path's extension. EXR keeps all channels as linear
+ *  floats and all attributes; PNG and other 8-bit formats take R, G, B with exposure and the sRGB
+ *  curve, values that are not finite as 0. Written beside the target, then renamed. options may be
+ *  NULL. */
+MURK_API murk_status murk_image_write(murk_context *context, const murk_image *image,
+                                      const char *path, const murk_image_write_options *options);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
