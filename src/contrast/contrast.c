@@ -68,7 +68,7 @@ static murk_region_mean mean_of(const murk_band *band, const double mean[QUANTIT
         .scattered = mean[SCATTERED],
         .emitted = mean[EMITTED],
         .transmittance = mean[TRANSMITTANCE],
-        .optical_depth = -log(mean[TRANSMITTANCE]),
+        .optical_depth = 0 - log(mean[TRANSMITTANCE]),
         .temperature = temperature(band, mean[RADIANCE]),
         .temperature_inherent = temperature(band, mean[INHERENT]),
         .cl = mean[CL],
