@@ -56,15 +56,19 @@ static void isothermal(void **state)
     const murk_band bands[3] = {LWIR, MWIR, RED};
     for (int rough = 0; rough < 2; rough++)
         for (int n = 0; n < 3; n++) {
-            static float kappa_t[COUNT];
+            static float kappa_t[COUNT], albedo[COUNT];
             float reflectance[64], glow[64];
             uint64_t random = 7;
             double e = M_PI * murk_planck_radiance(&bands[n], kelvin[n]);
             murk_array array = box_array(3, n == 0 ? 0 : n == 1 ? 0.6 : 0.99, e);
-            for (int i = 0; i < COUNT; i++)
+            for (int i = 0; i < COUNT; i++) {
                 kappa_t[i] = (float)pow(10, 3 * check_random(&random) - 1.5);
-            if (rough)
+                albedo[i] = (float)check_random(&random);
+            }
+            if (rough) {
                 array.kappa_t = kappa_t;
+                array.albedo = albedo;
+            }
             murk_ground_options ground = warm_ground(kelvin[n], &bands[n], reflectance, glow);
             struct world w;
             world_open(&w, 1, &array, &ground);
