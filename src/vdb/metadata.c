@@ -31,6 +31,7 @@ static void collect_facts(const murk_solution *solution, murk_band_facts *facts)
         {"sun_direction", facts->sun, 0, false},
         {"sun_irradiance", NULL, solution->sun.irradiance, true},
         {"sky_radiance", NULL, solution->sky_radiance, true},
+        {"asymmetry", NULL, solution->medium->asymmetry, false},
         {"zones", NULL, (double)r->zones, false},
         {"patches", NULL, (double)r->patches, false},
         {"tolerance", NULL, r->tolerance, false},
