@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "murk/band.h"
+#include "planck.h"
 
 #include "context.h"
 
@@ -52,8 +52,7 @@ static double integral(double low, double high)
     return pi4 / 15 - up_to(low) - from(high);
 }
 
-/* The radiance and its derivative by temperature. */
-static double radiance_of(const murk_band *band, double kelvin, double *slope)
+double murk_planck_slope(const murk_band *band, double kelvin, double *slope)
 {
     const double low = band->wavelength[0], high = band->wavelength[1];
     double x_low = H * C / (high * K * kelvin), x_high = H * C / (low * K * kelvin);
@@ -72,7 +71,7 @@ static double radiance_of(const murk_band *band, double kelvin, double *slope)
 double murk_planck_radiance(const murk_band *band, double kelvin)
 {
     double slope;
-    return kelvin > 0 && murk_band_valid(band) ? radiance_of(band, kelvin, &slope) : 0;
+    return kelvin > 0 && murk_band_valid(band) ? murk_planck_slope(band, kelvin, &slope) : 0;
 }
 
 /* Newton's steps on the logarithm over 1 / T, which is almost a straight line (Wien), and nowhere
@@ -84,7 +83,7 @@ double murk_planck_temperature(const murk_band *band, double radiance)
         return 0;
     double inverse = 1 / 300.0, slope;
     for (int n = 0; n < STEPS; n++) {
-        double kelvin = 1 / inverse, found = radiance_of(band, kelvin, &slope);
+        double kelvin = 1 / inverse, found = murk_planck_slope(band, kelvin, &slope);
         double step = 0.5;
         if (found > 0)
             step = log(found / radiance) * found / (slope * kelvin);

@@ -2,6 +2,7 @@
 /* A picture of several bands, put together from those of each. */
 #include "murk/bands.h"
 
+#include "apparent.h"
 #include "context.h"
 #include "image.h"
 
@@ -105,15 +106,34 @@ static int color_of(const char *name)
     return !strcmp(name, "G") ? 1 : !strcmp(name, "B") ? 2 : 0;
 }
 
-/* Adds scale times a channel of one picture to that of another. */
-static void add(const murk_image *from, const char *source, double scale, murk_image *to,
-                const char *target)
+/* Channels of one picture to be added to those of another. */
+typedef struct moves {
+    const murk_image *from;
+    murk_image *to;
+    int count;
+    struct {
+        int from, to;
+        float scale;
+    } move[LAYERS + COLORS + 1];
+} moves;
+
+static void add(moves *list, const char *source, double scale, const char *target)
 {
-    const int i = murk_image_channel(from, source), o = murk_image_channel(to, target);
-    const size_t pixels = (size_t)to->width * (size_t)to->height;
+    list->move[list->count].from = murk_image_channel(list->from, source);
+    list->move[list->count].to = murk_image_channel(list->to, target);
+    list->move[list->count++].scale = (float)scale;
+}
+
+/* Pixel by pixel, since many channels lie together. */
+static void carry_out(const murk_context *context, const moves *list)
+{
+    const size_t pixels = (size_t)list->to->width * (size_t)list->to->height;
+#pragma omp parallel for num_threads(context->threads) schedule(static)
     for (size_t p = 0; p < pixels; p++) {
-        float more = from->pixels[p * (size_t)from->channels + (size_t)i];
-        to->pixels[p * (size_t)to->channels + (size_t)o] += (float)scale * more;
+        const float *from = list->from->pixels + p * (size_t)list->from->channels;
+        float *to = list->to->pixels + p * (size_t)list->to->channels;
+        for (int n = 0; n < list->count; n++)
+            to[list->move[n].to] += list->move[n].scale * from[list->move[n].from];
     }
 }
 
@@ -133,37 +153,46 @@ static void take_temperature(murk_context *context, const murk_band_view *view, 
     snprintf(name, sizeof name, "%s.radiance", view->name);
     const int from = murk_image_channel(image, name);
     snprintf(name, sizeof name, "%s.temperature", view->name);
-    const int to = murk_image_channel(image, name);
+    const int to = murk_image_channel(image, name), stride = image->channels;
+    const size_t pixels = (size_t)image->width * (size_t)image->height;
+    double low = INFINITY, high = 0;
+    murk_apparent apparent;
+    for (size_t p = 0; p < pixels; p++) {
+        double radiance = image->pixels[p * (size_t)stride + (size_t)from];
+        low = radiance > 0 ? fmin(low, radiance) : low;
+        high = isfinite(radiance) ? fmax(high, radiance) : high;
+    }
+    if (!(high > 0))
+        return;
+    murk_apparent_init(&view->band, low, high, &apparent);
 #pragma omp parallel for num_threads(context->threads) schedule(static)
-    for (int j = 0; j < image->height; j++)
-        for (int i = 0; i < image->width; i++) {
-            float *pixel = image->pixels +
-                           ((size_t)j * (size_t)image->width + (size_t)i) * (size_t)image->channels;
-            pixel[to] = (float)murk_planck_temperature(&view->band, pixel[from]);
-        }
+    for (size_t p = 0; p < pixels; p++) {
+        float *pixel = image->pixels + p * (size_t)stride;
+        pixel[to] = (float)murk_apparent_temperature(&apparent, pixel[from]);
+    }
 }
 
-static void take_layer(const murk_image *from, const murk_band_view *view, murk_image *image)
+static void take_layer(const murk_band_view *view, moves *list)
 {
     const int color = color_of(view->name);
     for (int i = 0; i < LAYERS; i++) {
         char source[NAME_SIZE], target[NAME_SIZE];
         snprintf(target, sizeof target, "%s.%s", view->name, LAYER[i].name);
-        add(from, colored(LAYER[i].from, color, source), 1, image, target);
+        add(list, colored(LAYER[i].from, color, source), 1, target);
     }
 }
 
 /* The colours that a band stands for in the picture: its own, or all of them. */
-static void take_colors(const murk_image *from, bool rgb, int color, murk_image *image)
+static void take_colors(bool rgb, int color, moves *list)
 {
     for (int i = 0; i < FIRST_PLAIN; i++)
         if (!rgb || i % 3 == color)
-            add(from, COLOR[i], 1, image, COLOR[i]);
+            add(list, COLOR[i], 1, COLOR[i]);
     for (int i = FIRST_PLAIN; i < COLORS; i++)
         if (strcmp(COLOR[i], "Z"))
-            add(from, COLOR[i], rgb ? 1 / 3. : 1, image, COLOR[i]);
+            add(list, COLOR[i], rgb ? 1 / 3. : 1, COLOR[i]);
         else if (color == 0)
-            add(from, COLOR[i], 1, image, COLOR[i]);
+            add(list, COLOR[i], 1, COLOR[i]);
 }
 
 static bool has_band(const murk_band_view *views, size_t count, const char *name)
@@ -217,13 +246,15 @@ murk_status murk_render_bands(murk_context *context, const murk_band_view *views
             break;
         const int color = color_of(view->name);
         bool shown = rgb ? !strcmp(view->name, "R") || color > 0 : n == 0;
-        take_layer(one, view, image);
+        moves list = {.from = one, .to = image};
+        take_layer(view, &list);
+        if (shown)
+            take_colors(rgb, rgb ? color : 0, &list);
+        if (view == mass)
+            add(&list, "depth.Y", 1 / view->mass_extinction, "CL.Y");
+        carry_out(context, &list);
         if (has_temperature(view))
             take_temperature(context, view, image);
-        if (shown)
-            take_colors(one, rgb, rgb ? color : 0, image);
-        if (view == mass)
-            add(one, "depth.Y", 1 / view->mass_extinction, image, "CL.Y");
         murk_image_release(one);
     }
     if (status)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Black bodies: tabulated fractions, Stefan and Boltzmann, Wien, an independent quadrature, and the
    way back to the temperature. */
+#include "apparent.h"
 #include "check.h"
-#include "murk/band.h"
 
 static const double SIGMA = 5.670374419e-8; /* W/m^2/K^4 */
 
@@ -86,6 +86,26 @@ static void back(void **state)
         }
 }
 
+/* The table for pictures is the same function, over 30 decades and over next to none. */
+static void table(void **state)
+{
+    (void)state;
+    static murk_apparent apparent;
+    for (int b = 0; b < BAND_COUNT; b++)
+        for (int narrow = 0; narrow < 2; narrow++) {
+            double middle = murk_planck_radiance(&BANDS[b], 700);
+            double low = middle * (narrow ? 1 - 1e-6 : 1e-15), high = middle * (narrow ? 1 : 1e15);
+            murk_apparent_init(&BANDS[b], low, high, &apparent);
+            for (int n = 0; n <= 1000; n++) {
+                double radiance = low * pow(high / low, n / 1000.0);
+                assert_within(murk_apparent_temperature(&apparent, radiance) /
+                                  murk_planck_temperature(&BANDS[b], radiance),
+                              1, 6e-8);
+            }
+            assert_true(murk_apparent_temperature(&apparent, 0) == 0);
+        }
+}
+
 static void nothing(void **state)
 {
     (void)state;
@@ -106,6 +126,7 @@ int main(void)
         cmocka_unit_test(tabulated), cmocka_unit_test(whole_spectrum),
         cmocka_unit_test(bands),     cmocka_unit_test(one_wavelength),
         cmocka_unit_test(back),      cmocka_unit_test(nothing),
+        cmocka_unit_test(table),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
