@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
+#define _GNU_SOURCE /* O_TMPFILE */
 #include "beside.h"
 
 #include <errno.h>
@@ -9,27 +10,82 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A new file in the target's folder, with the permissions that any new file gets. */
-static int create_beside(const char *target, char **temporary)
+/* A path beside the target that nothing else uses. */
+static char *name_beside(const char *target, int n)
 {
     static const char format[] = "%.*s.%s.%ld-%d.tmp";
     const char *slash = strrchr(target, '/');
     const char *name = slash ? slash + 1 : target;
     size_t size = strlen(target) + sizeof format + 40;
     char *path = malloc(size);
-    int file = -1;
-    errno = ENOMEM;
-    for (int n = 0; path && n < 1000; n++) {
+    if (path)
         snprintf(path, size, format, (int)(name - target), target, name, (long)getpid(), n);
-        file = open(path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file >= 0 || errno != EEXIST)
+    else
+        errno = ENOMEM;
+    return path;
+}
+
+/* A file in the target's folder that has no name until it is complete, so that nothing of it is
+   left whatever ends the process; -1 where the system has no such files. */
+static int create_nameless(const char *target)
+{
+#ifdef O_TMPFILE
+    const char *slash = strrchr(target, '/');
+    char *folder = slash ? strndup(target, (size_t)(slash - target) + 1) : strdup(".");
+    int file = -1;
+    if (folder && !access("/proc/self/fd", X_OK))
+        file = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+    free(folder);
+    return file;
+#else
+    (void)target;
+    return -1;
+#endif
+}
+
+enum { TRIES = 1000 };
+
+/* A new file in the target's folder, with the permissions that any new file gets. */
+static int create_beside(const char *target, char **temporary)
+{
+    int file = create_nameless(target);
+    for (int n = 0; file < 0 && n < TRIES; n++) {
+        char *path = name_beside(target, n);
+        if (path)
+            file = open(path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file >= 0) {
+            *temporary = path;
+            break;
+        }
+        int reason = errno;
+        free(path);
+        errno = reason;
+        if (reason != EEXIST)
             break;
     }
-    if (file < 0)
-        free(path);
-    else
-        *temporary = path;
     return file;
+}
+
+/* Gives a file without a name one beside its target. */
+static int give_name(murk_beside *beside)
+{
+    char here[64];
+    snprintf(here, sizeof here, "/proc/self/fd/%d", beside->file);
+    for (int n = 0; n < TRIES; n++) {
+        char *path = name_beside(beside->target, n);
+        if (!path)
+            return -1;
+        if (!linkat(AT_FDCWD, here, AT_FDCWD, path, AT_SYMLINK_FOLLOW)) {
+            beside->temporary = path;
+            return 0;
+        }
+        int reason = errno;
+        free(path);
+        errno = reason;
+        if (reason != EEXIST)
+            break;
+    }
+    return -1;
 }
 
 murk_status murk_beside_open(murk_context *context, const char *path, murk_beside *out)
@@ -109,7 +165,8 @@ static void forget(murk_beside *beside)
 
 murk_status murk_beside_finish(murk_context *context, murk_beside *beside)
 {
-    int failed = close(beside->file);
+    int failed = beside->target && !beside->temporary ? give_name(beside) : 0;
+    failed |= close(beside->file);
     beside->file = -1;
     if (!failed && beside->temporary)
         failed = rename(beside->temporary, beside->target);

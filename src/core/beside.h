@@ -13,7 +13,7 @@ typedef struct murk_beside {
     const char *where; /* for messages: the path or "standard output" */
     int file;          /* open for writing */
     char *target;      /* NULL: the output goes straight to a pipe, a device or standard output */
-    char *temporary;
+    char *temporary;   /* beside it; NULL while the file has no name */
 } murk_beside;
 
 /* Fails as murk_beside_open() would, as far as that can be told without making a file. */
