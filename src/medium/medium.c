@@ -175,6 +175,9 @@ static murk_status add_thermal(murk_context *context, murk_medium *medium,
     return MURK_OK;
 }
 
+/* Forward scattering that moves less than this part of the extinction is left out. */
+static const double LEAST_FORWARD = 1e-5;
+
 static murk_status check_asymmetry(murk_context *context, const murk_medium_parts *parts)
 {
     if (parts->asymmetry > -1 && parts->asymmetry < 1)
@@ -205,6 +208,9 @@ murk_status murk_medium_build(murk_context *context, murk_medium_parts *parts, m
     if (!status)
         status = take_values(context, medium, parts, &parts->albedo, parts->albedo_scale, 0,
                              parts->albedo_value, 1, "albedo", &medium->albedo);
+    if (!status && !medium->albedo.field &&
+        medium->albedo.constant * fabs(medium->asymmetry) < LEAST_FORWARD)
+        medium->asymmetry = 0;
     if (!status)
         status = take_values(context, medium, parts, &parts->emission, parts->emission_scale, 0,
                              parts->emission_value, 1e30, "emission", &medium->emission);

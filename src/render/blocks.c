@@ -54,18 +54,33 @@ static void add_emission(const murk_medium *medium, const int32_t brick[3], floa
     }
 }
 
+bool murk_blocks_any_glow(const murk_solution *solution)
+{
+    const float least = 1e-9f;
+    const murk_medium *medium = solution->medium;
+    float glow = 0, light = 0;
+    if (!medium->emission.field && !(medium->emission.constant > 0))
+        return false;
+    for (size_t i = 0; i < medium->grid->brick_count * MURK_BRICK_SLOTS; i++)
+        if (medium->kappa_t[i] > 0)
+            glow = fmaxf(glow,
+                         (1 - murk_value(&medium->albedo, i)) * murk_value(&medium->emission, i));
+    for (size_t i = 0; i < solution->grid->brick_count * MURK_BRICK_SLOTS; i++)
+        light = fmaxf(light, solution->radiosity[i]);
+    return glow > least * light;
+}
+
 static float *create(murk_context *context, const murk_medium *medium, const murk_grid *lit,
-                     const float *field)
+                     const float *field, bool glows)
 {
     const murk_grid *grid = medium->grid;
     float *blocks = murk_alloc(grid->brick_count * MURK_BLOCK_SLOTS, sizeof *blocks);
     if (!blocks)
         return NULL;
-    bool emits = medium->emission.field || medium->emission.constant > 0;
 #pragma omp parallel for num_threads(context->threads) schedule(static)
     for (size_t b = 0; b < grid->brick_count; b++) {
         fill_block(lit, field, grid->brick[b], blocks + b * MURK_BLOCK_SLOTS);
-        if (emits)
+        if (glows)
             add_emission(medium, grid->brick[b], blocks + b * MURK_BLOCK_SLOTS);
     }
     return blocks;
@@ -73,7 +88,8 @@ static float *create(murk_context *context, const murk_medium *medium, const mur
 
 float *murk_blocks_create(murk_context *context, const murk_solution *solution)
 {
-    return create(context, solution->medium, solution->grid, solution->radiosity);
+    return create(context, solution->medium, solution->grid, solution->radiosity,
+                  murk_blocks_any_glow(solution));
 }
 
 float *murk_blocks_glow(murk_context *context, const murk_solution *solution)
@@ -86,7 +102,7 @@ float *murk_blocks_glow(murk_context *context, const murk_solution *solution)
     for (size_t i = 0; i < slots; i++)
         if (medium->kappa_t[i] > 0)
             glow[i] = (1 - murk_value(&medium->albedo, i)) * murk_value(&medium->emission, i);
-    float *blocks = create(context, medium, medium->grid, glow);
+    float *blocks = create(context, medium, medium->grid, glow, true);
     murk_free(glow);
     return blocks;
 }

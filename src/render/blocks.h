@@ -11,6 +11,9 @@ enum { MURK_BLOCK_EDGE = 10, MURK_BLOCK_SLOTS = 1000 };
 /* One block per brick of the medium's grid; free with murk_free(), NULL when memory runs out. */
 float *murk_blocks_create(murk_context *context, const murk_solution *solution);
 
+/* Whether any zone radiates by itself what a float could tell from the brightest zone's light. */
+bool murk_blocks_any_glow(const murk_solution *solution);
+
 /* The same of (1 - albedo) E, the part of B that zones radiate by themselves. */
 float *murk_blocks_glow(murk_context *context, const murk_solution *solution);
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "shot.h"
 
+#include "blocks.h"
+
 #include <string.h>
 
 /* Rays along the edge of a packet. */
@@ -32,9 +34,9 @@ static void set_frame(murk_shot *shot)
 static murk_status take_parts(murk_context *context, murk_shot *shot)
 {
     const murk_medium *medium = shot->solution->medium;
-    bool emits = medium->emission.field || medium->emission.constant > 0;
-    shot->all_glow = emits && !medium->albedo.field && !(medium->albedo.constant > 0);
-    if (!emits || shot->all_glow)
+    bool glows = murk_blocks_any_glow(shot->solution);
+    shot->all_glow = glows && !medium->albedo.field && !(medium->albedo.constant > 0);
+    if (!glows || shot->all_glow)
         return MURK_OK;
     return murk_march_glow(context, shot->solution, &shot->march, &shot->glow);
 }
