@@ -23,6 +23,12 @@ static void fill_block(const murk_grid *grid, const float *field, const int32_t 
     }
 }
 
+/* (1 - albedo) E: what a zone radiates by itself. */
+static float glow_of(const murk_medium *medium, size_t slot)
+{
+    return (1 - murk_value(&medium->albedo, slot)) * murk_value(&medium->emission, slot);
+}
+
 /* Emission (1 - albedo) E of the zones next to a voxel that is none: their mean. */
 static float emission_beside(const murk_medium *medium, const int32_t voxel[3])
 {
@@ -33,8 +39,7 @@ static float emission_beside(const murk_medium *medium, const int32_t voxel[3])
                                       voxel[2] + n % 3 - 1);
         if (slot < 0 || !(medium->kappa_t[slot] > 0))
             continue;
-        sum += (1 - murk_value(&medium->albedo, (size_t)slot)) *
-               murk_value(&medium->emission, (size_t)slot);
+        sum += glow_of(medium, (size_t)slot);
         count++;
     }
     return count ? (float)(sum / count) : 0;
@@ -63,8 +68,7 @@ bool murk_blocks_any_glow(const murk_solution *solution)
         return false;
     for (size_t i = 0; i < medium->grid->brick_count * MURK_BRICK_SLOTS; i++)
         if (medium->kappa_t[i] > 0)
-            glow = fmaxf(glow,
-                         (1 - murk_value(&medium->albedo, i)) * murk_value(&medium->emission, i));
+            glow = fmaxf(glow, glow_of(medium, i));
     for (size_t i = 0; i < solution->grid->brick_count * MURK_BRICK_SLOTS; i++)
         light = fmaxf(light, solution->radiosity[i]);
     return glow > least * light;
@@ -101,7 +105,7 @@ float *murk_blocks_glow(murk_context *context, const murk_solution *solution)
         return NULL;
     for (size_t i = 0; i < slots; i++)
         if (medium->kappa_t[i] > 0)
-            glow[i] = (1 - murk_value(&medium->albedo, i)) * murk_value(&medium->emission, i);
+            glow[i] = glow_of(medium, i);
     float *blocks = create(context, medium, medium->grid, glow, true);
     murk_free(glow);
     return blocks;

@@ -3,6 +3,7 @@
 
 #include "nearest.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -160,4 +161,20 @@ bool scene_read_quantity(struct scene_reader *reader, const json_t *value, void 
     if (json_is_object(value))
         return scene_read_object(reader, value, KEYS, sizeof KEYS / sizeof *KEYS, quantity);
     return scene_fail(reader, "not a number, a grid name or {\"grid\", \"scale\"}");
+}
+
+json_t *scene_load(const char *path, char message[SCENE_MESSAGE_SIZE])
+{
+    json_error_t error;
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        snprintf(message, SCENE_MESSAGE_SIZE, "%s: cannot read: %s", path, strerror(errno));
+        return NULL;
+    }
+    json_t *root = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
+    fclose(file);
+    if (!root)
+        snprintf(message, SCENE_MESSAGE_SIZE, "%s:%d:%d: %s", path, error.line, error.column,
+                 error.text);
+    return root;
 }

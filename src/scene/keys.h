@@ -27,6 +27,10 @@ struct scene_key {
     const char *range; /* the same in words: "between 0 and 180 degrees" */
 };
 
+/* The JSON of a file, to be released with json_decref(); NULL with one line in message where it
+   cannot be read. */
+json_t *scene_load(const char *path, char message[SCENE_MESSAGE_SIZE]);
+
 /* Reads every key of object into the struct at base; an unknown key is an error. null is absent.
    False with the message written where something is wrong. */
 bool scene_read_object(struct scene_reader *reader, const json_t *object,

@@ -3,7 +3,6 @@
 
 #include "keys.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -150,19 +149,9 @@ murk_status scene_obscurant_read(const char *path, struct scene_obscurant *out,
                                  char message[SCENE_MESSAGE_SIZE])
 {
     struct scene_reader reader = {.file = path, .message = message};
-    json_error_t error;
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        snprintf(message, SCENE_MESSAGE_SIZE, "%s: cannot read: %s", path, strerror(errno));
+    json_t *root = scene_load(path, message);
+    if (!root)
         return MURK_ERROR_INPUT;
-    }
-    json_t *root = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
-    fclose(file);
-    if (!root) {
-        snprintf(message, SCENE_MESSAGE_SIZE, "%s:%d:%d: %s", path, error.line, error.column,
-                 error.text);
-        return MURK_ERROR_INPUT;
-    }
     murk_status status = read_root(&reader, root, out);
     json_decref(root);
     return status;

@@ -2,7 +2,6 @@
 /* The keys of a scene file. */
 #include "parse.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -207,21 +206,11 @@ murk_status scene_parse(const char *path, struct scene_description *out,
 {
     struct scene_description description;
     struct scene_reader reader = {.file = path, .message = message};
-    json_error_t error;
     scene_describe_volume(NULL, &description);
     description.path = path;
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        snprintf(message, SCENE_MESSAGE_SIZE, "%s: cannot read: %s", path, strerror(errno));
+    description.root = scene_load(path, message);
+    if (!description.root)
         return MURK_ERROR_INPUT;
-    }
-    description.root = json_loadf(file, JSON_REJECT_DUPLICATES, &error);
-    fclose(file);
-    if (!description.root) {
-        snprintf(message, SCENE_MESSAGE_SIZE, "%s:%d:%d: %s", path, error.line, error.column,
-                 error.text);
-        return MURK_ERROR_INPUT;
-    }
     const char *slash = strrchr(path, '/');
     description.folder = strndup(path, slash ? (size_t)(slash - path) + 1 : 0);
     if (!description.folder || !read_scene(&reader, description.root, &description)) {
