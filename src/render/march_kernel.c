@@ -220,9 +220,9 @@ INLINE bool step(const float *restrict kappa_t, const float *restrict block, loc
         int on = t1 < t_end;
         int s0 = rays->inverse[0][l] > 0 ? 1 : -1, s1 = rays->inverse[1][l] > 0 ? 1 : -1,
             s2 = rays->inverse[2][l] > 0 ? 1 : -1;
-        s0 = on & (n0 <= next) ? s0 : 0;
-        s1 = on & (n1 <= next) ? s1 : 0;
-        s2 = on & (n2 <= next) ? s2 : 0;
+        s0 = (on & (n0 <= next)) ? s0 : 0;
+        s1 = (on & (n1 <= next)) ? s1 : 0;
+        s2 = (on & (n2 <= next)) ? s2 : 0;
         rays->face[0][l] += (float)s0;
         rays->face[1][l] += (float)s1;
         rays->face[2][l] += (float)s2;

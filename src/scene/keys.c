@@ -14,11 +14,14 @@ bool scene_fail(struct scene_reader *reader, const char *format, ...)
     va_list arguments;
     int used = snprintf(reader->message, SCENE_MESSAGE_SIZE, "%s: %s%s", reader->file, reader->path,
                         *reader->path ? ": " : "");
-    if (used < 0 || used >= SCENE_MESSAGE_SIZE)
-        return false;
-    va_start(arguments, format);
-    vsnprintf(reader->message + used, SCENE_MESSAGE_SIZE - (size_t)used, format, arguments);
-    va_end(arguments);
+    if (used >= 0 && used < SCENE_MESSAGE_SIZE) {
+        va_start(arguments, format);
+        vsnprintf(reader->message + used, SCENE_MESSAGE_SIZE - (size_t)used, format, arguments);
+        va_end(arguments);
+    }
+    for (char *c = reader->message; *c; c++) /* a key may hold a line feed; a message is one line */
+        if ((unsigned char)*c < ' ')
+            *c = '?';
     return false;
 }
 

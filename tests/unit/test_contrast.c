@@ -61,7 +61,7 @@ static murk_contrast measure(murk_context *context, const murk_image *image,
                              const murk_sensor *sensor)
 {
     murk_picture_band band;
-    murk_contrast out;
+    murk_contrast out = {0};
     size_t count;
     if (murk_picture_bands(context, image, 1, &band, &count) ||
         murk_contrast_measure(context, image, &band, target, background, sensor, &out))
