@@ -21,6 +21,7 @@
 extern "C" {
 #endif
 
+/** A band that a picture shows. */
 typedef struct murk_picture_band {
     char name[MURK_BAND_NAME_MAX + 1];
     murk_band band; /**< both wavelengths 0: not known */

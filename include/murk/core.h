@@ -53,6 +53,7 @@ MURK_API const char *murk_status_text(murk_status status);
 /** Holds threads, log, progress and the last message. There is no global state. */
 typedef struct murk_context murk_context;
 
+/** What a line of the log is about: something the user should know, or what is being done. */
 typedef enum murk_log_level { MURK_LOG_WARNING, MURK_LOG_INFO } murk_log_level;
 
 /** Called with one line of text, without line feed. */
@@ -61,6 +62,7 @@ typedef void murk_log_fn(void *user, murk_log_level level, const char *text);
 /** Called now and then with the stage ("solve", "render", ...) and the part done in [0, 1]. */
 typedef void murk_progress_fn(void *user, const char *stage, double done);
 
+/** How a context works and what it tells; copied by murk_context_create(). */
 typedef struct murk_context_options {
     int threads;                /**< 0: one per processor */
     const char *kernel;         /**< "avx512", "avx2", "portable"; NULL: the fastest this CPU has */
@@ -76,6 +78,7 @@ typedef struct murk_context_options {
 
 /** Creates a context. options may be NULL. Fails when memory runs out or the kernel is unknown. */
 MURK_API murk_status murk_context_create(const murk_context_options *options, murk_context **out);
+/** Releases a context, after all objects made with it; NULL is nothing. */
 MURK_API void murk_context_release(murk_context *context);
 
 /** The first message of the call that failed last, or "". Valid until the next call. */

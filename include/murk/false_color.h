@@ -22,6 +22,7 @@ extern "C" {
  *  grey for NaN. */
 MURK_API murk_color murk_false_color_at(double part);
 
+/** What to show, and how; texts are borrowed for the call. */
 typedef struct murk_false_color {
     const char *channel; /**< of the image */
     double low, high;    /**< the ends of the scale bar; what lies beyond has the end's colour. NaN:

@@ -65,9 +65,11 @@ typedef struct murk_grid_info {
  * Fails with MURK_ERROR_INPUT for a missing, truncated or foreign file.
  */
 MURK_API murk_status murk_volume_read(murk_context *context, const char *path, murk_volume **out);
+/** Releases a volume and the strings of its grids; NULL is nothing. */
 MURK_API void murk_volume_release(murk_volume *volume);
+/** The number of grids. */
 MURK_API size_t murk_volume_grid_count(const murk_volume *volume);
-/** Fills *out for the grid at index (0 <= index < count). */
+/** Fills *out for the grid at index (0 <= index < count). Fails with MURK_ERROR_INPUT beyond. */
 MURK_API murk_status murk_volume_grid_info(const murk_volume *volume, size_t index,
                                            murk_grid_info *out);
 /** The unique name of the grid that murk would take for the density, or NULL where none fits. */
@@ -96,6 +98,7 @@ typedef struct murk_quantity {
 /** An extinction value that stands for the density-like grid itself. */
 #define MURK_FROM_GRID (-1.0)
 
+/** How the medium follows from the grids; texts are borrowed for the call. */
 typedef struct murk_medium_options {
     /** kappa_t [1/m]. With grid NULL and a value >= 0: that value wherever the density-like grid is
      *  positive; with MURK_FROM_GRID: the density-like grid times scale. Densities of simulations
@@ -173,8 +176,10 @@ typedef struct murk_brick_array {
  *  murk_medium_from_volume(), and where a brick is there twice. */
 MURK_API murk_status murk_medium_from_bricks(murk_context *context, const murk_brick_array *bricks,
                                              murk_medium **out);
+/** Releases a medium; NULL is nothing. */
 MURK_API void murk_medium_release(murk_medium *medium);
 
+/** What a medium came to. */
 typedef struct murk_medium_info {
     uint64_t zones;                /**< active voxels with kappa_t > 0 */
     uint64_t bricks;               /**< 8x8x8 bricks that hold them */
@@ -188,12 +193,14 @@ typedef struct murk_medium_info {
                           zones */
     double max_depth;
 } murk_medium_info;
+/** Fills *out. */
 MURK_API murk_status murk_medium_info_get(const murk_medium *medium, murk_medium_info *out);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Ground                                                                                      */
 /* ------------------------------------------------------------------------------------------ */
 
+/** The axis of the world that points up. */
 typedef enum murk_up { MURK_UP_Z, MURK_UP_Y } murk_up;
 
 /**
@@ -222,9 +229,14 @@ typedef struct murk_ground_options {
         .emission_image = NULL, .horizon = true                                                    \
     }
 
+/** The patches of the ground. */
 typedef struct murk_ground murk_ground;
+
+/** Makes a ground. options may be NULL. Fails with MURK_ERROR_INPUT for an extent or a number of
+ *  patches that is none, a reflectance outside [0, 1] or a negative emission. */
 MURK_API murk_status murk_ground_create(murk_context *context, const murk_ground_options *options,
                                         murk_ground **out);
+/** Releases a ground; NULL is nothing. */
 MURK_API void murk_ground_release(murk_ground *ground);
 /** nx and ny, without what horizon adds. */
 MURK_API void murk_ground_patches(const murk_ground *ground, int patches[2]);
@@ -263,11 +275,13 @@ MURK_API murk_status murk_ground_fit(murk_context *context, const murk_medium *m
 /* Solve                                                                                       */
 /* ------------------------------------------------------------------------------------------ */
 
+/** How light is exchanged between zones and patches. */
 typedef enum murk_method {
     MURK_LINES,   /**< exchange over lattices of parallel lines, never stored: the default */
     MURK_PAIRWISE /**< all exchange factors of [BG91] eqs. (3)-(6): O(N^2), small media only */
 } murk_method;
 
+/** How the system of equations is solved. */
 typedef enum murk_solver {
     MURK_CONJUGATE_GRADIENTS,
     MURK_GAUSS_SEIDEL /**< [BG91] eqs. (7)-(10), pairwise only */
@@ -283,6 +297,7 @@ typedef struct murk_camera {
 /** The radiosities of the zones and patches of one scene. */
 typedef struct murk_solution murk_solution;
 
+/** How well, and by which method, to solve. */
 typedef struct murk_solve_options {
     double tolerance; /**< relative error of B asked for, kappa_t-weighted L2 norm (0.01 = 1 %) */
     murk_method method;
@@ -353,11 +368,15 @@ typedef struct murk_report {
 
 /**
  * Solves [BG91] eqs. (1), (2) for the scene. options may be NULL. Returns MURK_NOT_REACHED, with
- * a solution, where the estimated error stays above the tolerance.
+ * a solution, where the estimated error stays above the tolerance. Fails with MURK_ERROR_INPUT for
+ * options out of their range, a sun without direction, negative light, or
+ * Gauss-Seidel without pairwise; with MURK_ERROR_MEMORY when memory runs out.
  */
 MURK_API murk_status murk_solve(murk_context *context, const murk_scene *scene,
                                 const murk_solve_options *options, murk_solution **out);
+/** Releases a solution; NULL is nothing. */
 MURK_API void murk_solution_release(murk_solution *solution);
+/** What the solve did; belongs to the solution. */
 MURK_API const murk_report *murk_solution_report(const murk_solution *solution);
 
 /** Radiosity B [W/m^2] of the voxel at an index; NaN outside the solution's voxels. */
@@ -404,7 +423,8 @@ MURK_API murk_status murk_solution_from_volume(murk_context *context, const murk
 /* Render                                                                                      */
 /* ------------------------------------------------------------------------------------------ */
 
-/** A camera that frames the medium and its shadow on the ground. */
+/** Fills *out with a camera of 512 x 512 pixels that frames the medium and its shadow on the
+ * ground. */
 MURK_API murk_status murk_camera_default(murk_context *context, const murk_scene *scene,
                                          murk_camera *out);
 
@@ -413,12 +433,14 @@ MURK_API murk_status murk_camera_default(murk_context *context, const murk_scene
 MURK_API murk_status murk_camera_check(murk_context *context, const murk_scene *scene,
                                        const murk_camera *camera);
 
+/** How a picture is taken. */
 typedef struct murk_render_options {
     int samples;        /**< per pixel and axis; 0: 2 (that is 4 a pixel) */
     bool no_background; /**< leave ground and sky out of the picture (they still light it) */
-    const murk_image
-        *background; /**< shown where a ray meets neither ground nor ... ; may be NULL */
-    bool parts;      /**< add channels for what a sensor sees, see murk_render() */
+    /** Shown in place of the sky where a ray meets no ground: R, G, B in [W/m^2/sr], or its first
+     *  channel for all three, stretched over the picture. NULL: the sky. Borrowed for the call. */
+    const murk_image *background;
+    bool parts; /**< add channels for what a sensor sees, see murk_render() */
 } murk_render_options;
 
 #define MURK_RENDER_DEFAULT                                                                        \
@@ -436,7 +458,8 @@ typedef struct murk_render_options {
  * themselves towards the camera), inherent.R inherent.G inherent.B (the surface's light before it
  * enters the medium) and depth.Y, the mean optical depth. Where the medium scatters forward, the
  * path radiance also holds what is scattered forward of the light of ground and sky. options may be
- * NULL.
+ * NULL. Fails with MURK_ERROR_INPUT for a camera as murk_camera_check() does
+ * or a solution of another medium or ground; with MURK_ERROR_MEMORY when memory runs out.
  */
 MURK_API murk_status murk_render(murk_context *context, const murk_scene *scene,
                                  const murk_solution *solution, const murk_camera *camera,

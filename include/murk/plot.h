@@ -25,6 +25,7 @@ typedef struct murk_color {
 /** From what is written in hexadecimal as 0xRRGGBB on the sRGB curve. */
 MURK_API murk_color murk_color_srgb(uint32_t rgb);
 
+/** A rectangle with upright sides. */
 typedef struct murk_rectangle {
     double x, y, width, height; /**< (x, y) is the top left corner */
 } murk_rectangle;
@@ -33,6 +34,7 @@ typedef struct murk_rectangle {
 MURK_API murk_status murk_canvas_create(murk_context *context, int width, int height,
                                         murk_image **out);
 
+/** Fills a rectangle. */
 MURK_API void murk_rectangle_draw(murk_image *image, const murk_rectangle *rectangle,
                                   murk_color color);
 
@@ -40,6 +42,7 @@ MURK_API void murk_rectangle_draw(murk_image *image, const murk_rectangle *recta
 MURK_API void murk_line_draw(murk_image *image, const double from[2], const double to[2],
                              double width, murk_color color);
 
+/** A line of text to draw; the text is borrowed for the call. */
 typedef struct murk_text {
     const char *text; /**< one line of ASCII; digits and signs that follow a ^ are raised: m^2 */
     double at[2];     /**< where `align` is put */
@@ -54,12 +57,15 @@ typedef struct murk_text {
  *  murk_plot_draw() warns that it goes without text. */
 MURK_API bool murk_text_possible(void);
 
+/** Draws a line of text. Fails with MURK_ERROR_INTERNAL for a font that cannot be used, with
+ *  MURK_ERROR_MEMORY when memory runs out. */
 MURK_API murk_status murk_text_draw(murk_context *context, murk_image *image,
                                     const murk_text *text);
 
 /** The width that a text takes; 0 where there is no font. */
 MURK_API double murk_text_width(const char *text, int size);
 
+/** An axis of a plot. */
 typedef struct murk_axis {
     const char *label; /**< what it shows, with its unit; may be NULL */
     bool log;          /**< logarithmic: values that are not positive are left out */

@@ -3,16 +3,9 @@
 #ifndef CLI_HELP_H
 #define CLI_HELP_H
 
-#include "options.h"
+#include "commands.h"
 
 #include <stdio.h>
-
-/* What a command is: the rows of main.c. */
-struct cli_command_info {
-    enum cli_command command;
-    const char *name, *usage, *summary;
-    int (*run)(const struct cli_options *options, const char *command_line);
-};
 
 void cli_help_command(FILE *stream, const struct cli_command_info *command);
 

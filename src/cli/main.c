@@ -1,36 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* murk's command line: finds the command and hands over. */
-#include "bench.h"
-#include "contrast.h"
 #include "help.h"
-#include "info.h"
 #include "nearest.h"
-#include "work.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static const struct cli_command_info COMMANDS[] = {
-    {CLI_IMAGE, "image", "image INPUT -o FILE.exr [OPTION]...",
-     "Solves the light in the medium, then renders the picture.", cli_image},
-    {CLI_SOLVE, "solve", "solve INPUT -o FILE.vdb [OPTION]...",
-     "Solves the light in the medium and writes its radiosity.", cli_solve},
-    {CLI_RENDER, "render", "render INPUT --radiosity FILE.vdb -o FILE.exr [OPTION]...",
-     "Renders another view of a solution; nothing is solved again.", cli_render},
-    {CLI_INFO, "info", "info INPUT [OPTION]...",
-     "Tells what is in a file, and what murk would take it for.", cli_info},
-    {CLI_CONTRAST, "contrast", "contrast INPUT --target REGION --background REGION [OPTION]...",
-     "Tells what of a target is seen through the smoke, in each band of a picture.", cli_contrast},
-    {CLI_BENCH, "bench", "bench [-o FILE.png] [OPTION]...",
-     "Measures run time, memory and error on media made in memory.", cli_bench},
-};
-enum { COMMAND_COUNT = sizeof COMMANDS / sizeof *COMMANDS };
-
 static void print_usage(FILE *stream)
 {
+    size_t count;
+    const struct cli_command_info *commands = cli_command_table(&count);
     fputs("murk lights smoke, fog and clouds, and renders what they obscure.\n\nusage:\n", stream);
-    for (int i = 0; i < COMMAND_COUNT; i++)
-        fprintf(stream, "  murk %s\n      %s\n", COMMANDS[i].usage, COMMANDS[i].summary);
+    for (size_t i = 0; i < count; i++)
+        fprintf(stream, "  murk %s\n      %s\n", commands[i].usage, commands[i].summary);
     fputs(
         "\nINPUT is a .vdb file, a scene file (.json), or - for a VDB stream; for contrast it is\n"
         "an .exr picture of a scene with bands. A frame pattern (####, %04d, $F4) makes image,\n"
@@ -43,11 +25,13 @@ static void print_usage(FILE *stream)
 
 static const struct cli_command_info *find_command(const char *name)
 {
+    size_t count;
+    const struct cli_command_info *commands = cli_command_table(&count);
     struct scene_nearest nearest = {0};
-    for (int i = 0; i < COMMAND_COUNT; i++) {
-        if (!strcmp(COMMANDS[i].name, name))
-            return &COMMANDS[i];
-        scene_nearest_offer(&nearest, name, COMMANDS[i].name);
+    for (size_t i = 0; i < count; i++) {
+        if (!strcmp(commands[i].name, name))
+            return &commands[i];
+        scene_nearest_offer(&nearest, name, commands[i].name);
     }
     fprintf(stderr, "murk: \"%s\": unknown command; the nearest known one is %s\n", name,
             nearest.word);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The options of all commands: one table drives parsing, help and errors. */
+/* The options of all commands: one table drives parsing, help, errors, the manual pages and the
+   completion of the shell. */
 #ifndef CLI_OPTIONS_H
 #define CLI_OPTIONS_H
 
@@ -99,6 +100,7 @@ struct cli_option {
     size_t offset; /* in struct cli_options */
     double min, max;
     const char *const *choices; /* NULL-terminated */
+    const char *files;          /* of a FILE: its usual extensions, "exr png"; NULL: any */
     const char *expected;       /* for messages: "a number > 0" */
 };
 

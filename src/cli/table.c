@@ -19,6 +19,8 @@ enum {
     WORKING = CLI_IMAGE | CLI_SOLVE | CLI_RENDER,
 };
 
+#define PICTURES "png jpg"
+
 static const char OUTPUT[] = "Output";
 static const char SEQUENCE[] = "Sequence (#### or %04d or $F4 in the names of files)";
 static const char MEDIUM[] = "Medium (these go before what a scene file says)";
@@ -34,35 +36,38 @@ static const char GENERAL[] = "General";
 #define FIELD(name)            .offset = offsetof(struct cli_options, name)
 #define FLAG(name)             .value = cli_value_flag, FIELD(name)
 #define TEXT(name)             .value = cli_value_text, FIELD(name), .expected = "a name"
+#define PATH(name, extensions) TEXT(name), .files = extensions
 #define CHOICE(name, list)     .value = cli_value_choice, FIELD(name), .choices = list
 #define POSITIVE               .min = DBL_MIN, .max = DBL_MAX, .expected = "a number > 0"
 #define WHOLE(low, high, text) .min = low, .max = high, .expected = text
 
 static const struct cli_option TABLE[] = {
     {"radiosity", 0, CLI_RENDER, "Input", "FILE", "the radiosity .vdb that murk solve wrote",
-     TEXT(radiosity)},
+     PATH(radiosity, "vdb")},
     {"output", 'o', PICTURE, OUTPUT, "FILE",
-     "the picture: .exr keeps everything; .png, .jpg and others are for looking at", TEXT(output)},
+     "the picture: .exr keeps everything; .png, .jpg and others are for looking at",
+     PATH(output, "exr png jpg")},
     {"output", 'o', CLI_SOLVE, OUTPUT, "FILE",
-     "the radiosity as .vdb, or - for a VDB stream to standard output", TEXT(output)},
+     "the radiosity as .vdb, or - for a VDB stream to standard output", PATH(output, "vdb")},
     {"preview", 0, PICTURE, OUTPUT, "FILE", "the picture once more, for looking at: .png",
-     TEXT(preview)},
-    {"radiosity", 0, CLI_IMAGE, OUTPUT, "FILE", "keep the radiosity too, as .vdb", TEXT(radiosity)},
+     PATH(preview, PICTURES)},
+    {"radiosity", 0, CLI_IMAGE, OUTPUT, "FILE", "keep the radiosity too, as .vdb",
+     PATH(radiosity, "vdb")},
     {"ground-radiosity", 0, SOLVING, OUTPUT, "FILE",
      "the radiosity of the ground patches [W/m^2] as .exr, one pixel a patch",
-     TEXT(ground_radiosity)},
+     PATH(ground_radiosity, "exr")},
     {"output", 'o', CLI_BENCH, OUTPUT, "FILE", "a plot of what was measured, such as .png",
-     TEXT(output)},
+     PATH(output, PICTURES)},
     {"curves", 0, CLI_BENCH, OUTPUT, "FILE",
      "further panels for the plot, from lines of text: PANEL,CURVE,SECONDS,ERROR,LABEL",
      TEXT(curves)},
     {"output", 'o', CLI_CONTRAST, OUTPUT, "FILE",
      "the table as .csv, a line for each frame and band; not given: to standard output",
-     TEXT(output)},
+     PATH(output, "csv")},
     {"plot", 0, CLI_CONTRAST, OUTPUT, "FILE",
      "curves of a sequence, one for each band, such as .png: contrast transmittance, apparent "
      "contrast, and from 3 um on the apparent temperature difference",
-     TEXT(plot)},
+     PATH(plot, PICTURES)},
     {"against", 0, CLI_CONTRAST, OUTPUT, "WHAT",
      "what the curves are drawn against: frame (the default), or transmittance, depth (optical) or "
      "cl of the lines of sight to the target",
@@ -87,7 +92,8 @@ static const struct cli_option TABLE[] = {
      "about 5 optical depths",
      .value = cli_value_number, FIELD(scale), POSITIVE},
     {"obscurant", 0, WORKING, MEDIUM, "FILE",
-     "mass extinction coefficient, albedo and asymmetry by wavelength, as .json", TEXT(obscurant)},
+     "mass extinction coefficient, albedo and asymmetry by wavelength, as .json",
+     PATH(obscurant, "json")},
     {"concentration", 0, WORKING, MEDIUM, "G",
      "concentration [g/m^3] per unit of the grid, for scenes with mass extinction coefficients",
      .value = cli_value_number, FIELD(concentration), POSITIVE},
@@ -116,7 +122,8 @@ static const struct cli_option TABLE[] = {
      "media, out of cloud, box, plume, checkerboard and filaments; emptiness and threads are "
      "measured on the first of them",
      .value = cli_value_set, FIELD(cases), .choices = BENCH_CASE_NAMES},
-    {"volume", 0, CLI_BENCH, BENCH, "FILE", "error: a .vdb to be measured too", TEXT(volume)},
+    {"volume", 0, CLI_BENCH, BENCH, "FILE", "error: a .vdb to be measured too",
+     PATH(volume, "vdb")},
     {"sizes", 0, CLI_BENCH, BENCH, "LIST",
      "active voxels, such as 1e4,1e6,1e7; not given: 1e4 to 1e6 for the cloud, less for others and "
      "for errors",

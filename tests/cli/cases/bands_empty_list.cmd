@@ -1,0 +1,1 @@
+murk image fixtures/puff.vdb --bands , -o a.exr

@@ -1,0 +1,1 @@
+murk bench --parts error --volume fixtures/empty.vdb

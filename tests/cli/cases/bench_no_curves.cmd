@@ -1,0 +1,1 @@
+murk bench --parts error --curves missing.csv -o a.png

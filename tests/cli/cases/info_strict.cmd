@@ -1,0 +1,1 @@
+murk info fixtures/nan.vdb --strict -v
