@@ -5,6 +5,7 @@
 #include "job.h"
 #include "report.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,6 +25,11 @@ static bool is_empty(const murk_grid_info *grid)
     return grid->active_voxels == 0;
 }
 
+static bool is_level_set(const murk_grid_info *grid)
+{
+    return grid->readable && !strcmp(grid->grid_class, "level set");
+}
+
 static void add_row(struct cli_columns *rows, const murk_grid_info *grid)
 {
     const int32_t *lo = grid->box_min, *hi = grid->box_max;
@@ -36,7 +42,7 @@ static void add_row(struct cli_columns *rows, const murk_grid_info *grid)
         cli_columns_add(rows, "empty");
     else
         cli_columns_add(rows, "[%d %d %d]..[%d %d %d]", lo[0], lo[1], lo[2], hi[0], hi[1], hi[2]);
-    if (size[0] == size[1] && size[1] == size[2])
+    if (fmax(fabs(size[1] - size[0]), fabs(size[2] - size[0])) <= 1e-6 * size[0])
         cli_columns_add(rows, "%.6g", size[0]);
     else
         cli_columns_add(rows, "%.6g x %.6g x %.6g", size[0], size[1], size[2]);
@@ -56,7 +62,11 @@ static void print_remarks(const murk_grid_info *grid)
     if (grid->invalid_voxels)
         printf("%s: %llu voxels are NaN, infinite or negative, and count as empty\n", grid->name,
                (unsigned long long)grid->invalid_voxels);
-    if (grid->readable && grid->nonzero_voxels < grid->active_voxels)
+    if (is_level_set(grid))
+        printf("%s: a surface; --grid makes its inside a medium, and values are the part of each "
+               "voxel that is inside\n",
+               grid->name);
+    else if (grid->readable && grid->nonzero_voxels < grid->active_voxels)
         printf("%s: %llu active voxels are zero\n", grid->name,
                (unsigned long long)(grid->active_voxels - grid->nonzero_voxels));
 }

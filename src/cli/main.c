@@ -43,11 +43,11 @@ static void print_usage(FILE *stream)
 
 static const struct cli_command_info *find_command(const char *name)
 {
-    struct scene_nearest nearest = {0};
+    struct murk_nearest nearest = {0};
     for (int i = 0; i < COMMAND_COUNT; i++) {
         if (!strcmp(COMMANDS[i].name, name))
             return &COMMANDS[i];
-        scene_nearest_offer(&nearest, name, COMMANDS[i].name);
+        murk_nearest_offer(&nearest, name, COMMANDS[i].name);
     }
     fprintf(stderr, "murk: \"%s\": unknown command; the nearest known one is %s\n", name,
             nearest.word);

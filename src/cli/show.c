@@ -91,7 +91,7 @@ static murk_status unknown_channel(struct cli_job *job)
         for (int c = 0; c < murk_image_channels(image); c++) {
             const char *name = murk_image_channel_name(image, c);
             size_t used = strlen(list);
-            if (scene_edit_distance(wanted, name) == distance)
+            if (murk_edit_distance(wanted, name) == distance)
                 snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", name);
         }
     cli_error(&job->terminal, "--show %s: the picture has no such channel; it has %s", wanted,
