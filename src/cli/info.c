@@ -4,6 +4,7 @@
 #include "columns.h"
 #include "job.h"
 #include "report.h"
+#include "sequence.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -86,12 +87,13 @@ static void print_verdict(const struct verdict *verdict)
            (unsigned long long)info->zones, info->kappa_t_max, info->mean_depth, info->max_depth);
 }
 
-static murk_status print_table(const murk_volume *volume, const char *path,
-                               const struct verdict *verdict)
+static murk_status print_table(const struct cli_job *job, const struct verdict *verdict)
 {
     static const char *const HEAD[COLUMNS] = {
         "grid", "type",           "class",  "active voxels",
         "box",  "voxel size [m]", "values", "depth at scale 1"};
+    const murk_volume *volume = job->scene.volume;
+    const char *path = job->options->input;
     size_t count = murk_volume_grid_count(volume);
     struct cli_columns rows = {.columns = COLUMNS, .gap = 2, .left = ~0u};
     murk_grid_info grid;
@@ -107,6 +109,8 @@ static murk_status print_table(const murk_volume *volume, const char *path,
             if (murk_volume_grid_info(volume, i, &grid) == MURK_OK)
                 print_remarks(&grid);
         print_verdict(verdict);
+        if (job->frame)
+            printf("\n");
     }
     return status;
 }
@@ -163,9 +167,9 @@ static json_t *medium_json(const struct verdict *verdict)
     return object;
 }
 
-static murk_status print_object(const murk_volume *volume, const char *path,
-                                const struct verdict *verdict)
+static murk_status print_object(const struct cli_job *job, const struct verdict *verdict)
 {
+    const murk_volume *volume = job->scene.volume;
     json_t *grids = json_array();
     murk_grid_info grid;
     for (size_t i = 0; i < murk_volume_grid_count(volume); i++) {
@@ -178,7 +182,11 @@ static murk_status print_object(const murk_volume *volume, const char *path,
     }
     json_t *object = json_object();
     json_object_set_new(object, "murk", json_string(MURK_VERSION));
-    json_object_set_new(object, "file", cli_json_text(path));
+    if (job->frame) {
+        json_object_set_new(object, "frame", json_integer(*job->frame));
+        json_object_set_new(object, "status", json_string("done"));
+    }
+    json_object_set_new(object, "file", cli_json_text(job->options->input));
     json_object_set_new(object, "grids", grids);
     json_object_set_new(object, "medium", medium_json(verdict));
     cli_print_json(object);
@@ -192,32 +200,39 @@ static void judge(struct cli_job *job, struct verdict *verdict)
     *verdict = (struct verdict){.density = options->extinction.grid};
     if (!verdict->density)
         verdict->density = murk_volume_density(job->scene.volume);
-    job->scene.band_count = 1;
-    murk_status status = murk_medium_from_volume(job->context, job->scene.volume, options,
-                                                 &job->scene.band[0].medium);
+    murk_medium *medium = NULL;
+    murk_status status = murk_medium_from_volume(job->context, job->scene.volume, options, &medium);
     if (status == MURK_OK)
-        status = murk_medium_info_get(job->scene.band[0].medium, &verdict->info);
+        status = murk_medium_info_get(medium, &verdict->info);
     verdict->medium = status == MURK_OK;
     if (status != MURK_OK)
         snprintf(verdict->why_not, sizeof verdict->why_not, "%s",
                  murk_context_message(job->context));
+    murk_medium_release(medium);
+}
+
+/* There are no outputs to check, and nothing is left to do after the last frame. */
+static murk_status nothing(struct cli_job *job)
+{
+    (void)job;
+    return MURK_OK;
+}
+
+static murk_status tell(struct cli_job *job)
+{
+    struct verdict verdict;
+    murk_status status = cli_job_read(job);
+    if (status != MURK_OK)
+        return status;
+    judge(job, &verdict);
+    status = job->options->json ? print_object(job, &verdict) : print_table(job, &verdict);
+    if (status != MURK_OK)
+        cli_error(&job->terminal, "%s: %s", job->options->input, murk_status_text(status));
+    return status;
 }
 
 int cli_info(const struct cli_options *options, const char *command_line)
 {
-    struct cli_job job;
-    murk_status status = cli_job_start(&job, options, "info", command_line);
-    if (status == MURK_OK)
-        status = cli_job_describe(&job);
-    if (status == MURK_OK)
-        status = cli_job_read(&job);
-    if (status == MURK_OK) {
-        struct verdict verdict;
-        judge(&job, &verdict);
-        status = options->json ? print_object(job.scene.volume, options->input, &verdict)
-                               : print_table(job.scene.volume, options->input, &verdict);
-        if (status != MURK_OK)
-            cli_error(&job.terminal, "%s: %s", options->input, murk_status_text(status));
-    }
-    return cli_job_end(&job, status);
+    static const struct cli_steps STEPS = {.check = nothing, .work = tell, .finish = nothing};
+    return cli_run(options, "info", command_line, &STEPS);
 }
