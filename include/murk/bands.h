@@ -65,6 +65,14 @@ MURK_API murk_status murk_render_bands(murk_context *context, const murk_band_vi
                                        const murk_render_options *options, murk_image **out);
 
 /**
+ * A picture of size[0] x size[1] pixels, all 0, with the channels that murk_render_bands() gives
+ * it, to be asked for before long work: solutions are not looked at, and names not checked. count
+ * 0: those of murk_render() without parts.
+ */
+MURK_API murk_status murk_bands_picture(murk_context *context, const murk_band_view *views,
+                                        size_t count, const int size[2], murk_image **out);
+
+/**
  * Writes the solutions of count >= 1 bands as one VDB, as murk_solution_write() does one. name[i],
  * of letters, digits, _ and -, 39 at most, is that of the band of solution[i]; where count is 1,
  * name or name[0] may be NULL.
