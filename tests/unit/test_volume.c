@@ -71,12 +71,10 @@ static void test_topology(void **state)
     static const struct {
         const char *file;
         uint64_t zones, input, invalid;
-    } all[] = {{"active_zeros.vdb", 128, 512, 0},
-               {"invalid.vdb", 59, 64, 4},
-               {"empty.vdb", 0, 0, 0},
-               {"double.vdb", 63, 64, 1},
-               {"rotated.vdb", 729, 729, 0},
-               {"tiles.vdb", 2098182, 2098182, 0}};
+    } all[] = {
+        {"active_zeros.vdb", 128, 512, 0}, {"invalid.vdb", 59, 64, 4}, {"empty.vdb", 0, 0, 0},
+        {"background.vdb", 64, 64, 0},     {"double.vdb", 63, 64, 1},  {"rotated.vdb", 729, 729, 0},
+        {"tiles.vdb", 2098182, 2098182, 0}};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         murk_medium_info info;
         murk_medium *medium = make_medium(*state, all[i].file, NULL);
