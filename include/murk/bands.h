@@ -65,19 +65,27 @@ MURK_API murk_status murk_render_bands(murk_context *context, const murk_band_vi
                                        const murk_render_options *options, murk_image **out);
 
 /**
+ * A picture of size[0] x size[1] pixels, all 0, with the channels that murk_render_bands() gives
+ * it, to be asked for before long work: solutions are not looked at, and names not checked. count
+ * 0: those of murk_render() without parts.
+ */
+MURK_API murk_status murk_bands_picture(murk_context *context, const murk_band_view *views,
+                                        size_t count, const int size[2], murk_image **out);
+
+/**
  * Writes the solutions of count >= 1 bands as one VDB, as murk_solution_write() does one. name[i],
  * of letters, digits, _ and -, 39 at most, is that of the band of solution[i]; where count is 1,
  * name or name[0] may be NULL.
- *  - Bands named R, G and B, where all three are there, share the vec3s grid "radiosity" (x = R,
- *    y = G, z = B). Any other band has a float grid "radiosity_NAME", or "radiosity" where it is
- *    the only one.
+ *  - Bands named R, G and B, where all three are there on the same voxels, share the vec3s grid
+ *    "radiosity" (x = R, y = G, z = B). Any other band has a float grid "radiosity_NAME", or
+ * "radiosity" where it is the only one.
  *  - What options add goes by the same rule, but an extinction that all bands share is written
  *    once, as the float grid "extinction". options may be NULL.
  *  - The file metadata "band" lists the names as "R,G,B,LWIR", or is "single" where there is none.
  *    With several bands, sun_irradiance, sky_radiance, tolerance_reached, error_estimate and the
  *    energies are there for each, as sun_irradiance_NAME and so on; so are others that differ.
- * Fails with MURK_ERROR_INPUT where solutions are not on the same voxels, or a name is missing,
- * there twice or no such name. Messages go to the context of solution[0].
+ * Fails with MURK_ERROR_INPUT where solutions are not on one transform, or a name is missing, there
+ * twice or no such name. Messages go to the context of solution[0].
  */
 MURK_API murk_status murk_solutions_write(const murk_solution *const *solution,
                                           const char *const *name, size_t count, const char *path,

@@ -39,7 +39,9 @@ extern "C" {
 /** The grids of one VDB file or stream, in memory. */
 typedef struct murk_volume murk_volume;
 
-/** One grid of a volume; strings live as long as the volume. */
+/** One grid of a volume; strings live as long as the volume. Of a level set, whose inside can be
+ *  taken as a medium where it is asked for by name, values are the part of each voxel that is
+ *  inside; of a mask they are 1. */
 typedef struct murk_grid_info {
     const char *name;       /**< unique: "density", "density[1]", ... */
     const char *type;       /**< OpenVDB's value type: "float", "half", "vec3s", ... */
@@ -52,7 +54,7 @@ typedef struct murk_grid_info {
     uint64_t invalid_voxels;      /**< NaN, infinite or negative values among the active voxels */
     int32_t box_min[3];           /**< index-space box of the active voxels, both ends included */
     int32_t box_max[3];           /**< smaller than box_min where nothing is active */
-    double voxel_size[3];         /**< m */
+    double voxel_size[3];         /**< m; 0 where nothing of the grid could be read */
     double index_to_world[16];    /**< row-major; world = matrix * (i, j, k, 1) as a column */
     double value_min, value_max;  /**< over the active voxels; 0 where nothing is active */
     double mean_depth, max_depth; /**< integral of the value along the shortest axis of the box,
@@ -100,7 +102,8 @@ typedef struct murk_quantity {
 
 /** How the medium follows from the grids; texts are borrowed for the call. */
 typedef struct murk_medium_options {
-    /** kappa_t [1/m]. With grid NULL and a value >= 0: that value wherever the density-like grid is
+    /** kappa_t [1/m]; of a level set, its scale times the part of a voxel that is inside. With grid
+     *  NULL and a value >= 0: that value wherever the density-like grid is
      *  positive; with MURK_FROM_GRID: the density-like grid times scale. Densities of simulations
      *  carry no unit: scale 0 chooses the one of ..., 1, 2, 5, 10, 20, ... that brings the deepest
      *  column of the grid nearest to 5 optical depths (murk_medium_info tells which). */
@@ -133,9 +136,13 @@ typedef struct murk_medium_options {
 /**
  * Builds the medium from the grids of a volume. options may be NULL. Active voxels without
  * extinction are no zones. An empty grid gives a valid medium without zones.
+ * Grids on another transform than the extinction are resampled onto its voxels: the trilinear
+ * interpolant at the centre of the voxel, or its mean over the voxel where the grid is finer. Of
+ * emission, the background counts where the grid is not active, so that the light as a whole stays
+ * the same; of albedo and temperature active voxels alone count, and the background holds where
+ * there is none.
  * Fails with MURK_ERROR_INPUT for an unknown or unreadable grid, a frustum or sheared transform,
- * grids on different transforms, an albedo outside [0, 1], a temperature without a band, or, when
- * strict, bad values.
+ * an albedo outside [0, 1], a temperature without a band, or, when strict, bad values.
  */
 MURK_API murk_status murk_medium_from_volume(murk_context *context, const murk_volume *volume,
                                              const murk_medium_options *options, murk_medium **out);
@@ -395,7 +402,9 @@ MURK_API murk_status murk_solution_ground(const murk_solution *solution, float *
 
 /** Which grids murk_solution_write() adds to the radiosity. */
 typedef struct murk_write_options {
-    const murk_volume *source; /**< its density grid passes through untouched; may be NULL */
+    /** The grid of it that the extinction came from, else its density, passes through untouched.
+     *  May be NULL. */
+    const murk_volume *source;
     bool emission_coefficient; /**< kappa_t * B / pi [W/m^3/sr] */
     bool extinction;           /**< kappa_t [1/m] */
     bool albedo;
@@ -415,7 +424,8 @@ MURK_API murk_status murk_solution_write(const murk_solution *solution, const ch
                                          const murk_write_options *options);
 
 /** Takes a solution from the "radiosity" grid of a volume: the light on the ground follows from it
- *  by one application of the exchange operator; nothing is solved again. */
+ *  by one application of the exchange operator; nothing is solved again. Fails where the file says
+ *  that it was solved with another asymmetry. */
 MURK_API murk_status murk_solution_from_volume(murk_context *context, const murk_scene *scene,
                                                const murk_volume *volume, murk_solution **out);
 

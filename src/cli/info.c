@@ -4,7 +4,9 @@
 #include "columns.h"
 #include "job.h"
 #include "report.h"
+#include "sequence.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,6 +26,11 @@ static bool is_empty(const murk_grid_info *grid)
     return grid->active_voxels == 0;
 }
 
+static bool is_level_set(const murk_grid_info *grid)
+{
+    return grid->readable && !strcmp(grid->grid_class, "level set");
+}
+
 static void add_row(struct cli_columns *rows, const murk_grid_info *grid)
 {
     const int32_t *lo = grid->box_min, *hi = grid->box_max;
@@ -36,7 +43,7 @@ static void add_row(struct cli_columns *rows, const murk_grid_info *grid)
         cli_columns_add(rows, "empty");
     else
         cli_columns_add(rows, "[%d %d %d]..[%d %d %d]", lo[0], lo[1], lo[2], hi[0], hi[1], hi[2]);
-    if (size[0] == size[1] && size[1] == size[2])
+    if (fmax(fabs(size[1] - size[0]), fabs(size[2] - size[0])) <= 1e-6 * size[0])
         cli_columns_add(rows, "%.6g", size[0]);
     else
         cli_columns_add(rows, "%.6g x %.6g x %.6g", size[0], size[1], size[2]);
@@ -56,7 +63,11 @@ static void print_remarks(const murk_grid_info *grid)
     if (grid->invalid_voxels)
         printf("%s: %llu voxels are NaN, infinite or negative, and count as empty\n", grid->name,
                (unsigned long long)grid->invalid_voxels);
-    if (grid->readable && grid->nonzero_voxels < grid->active_voxels)
+    if (is_level_set(grid))
+        printf("%s: a surface; --grid makes its inside a medium, and values are the part of each "
+               "voxel that is inside\n",
+               grid->name);
+    else if (grid->readable && grid->nonzero_voxels < grid->active_voxels)
         printf("%s: %llu active voxels are zero\n", grid->name,
                (unsigned long long)(grid->active_voxels - grid->nonzero_voxels));
 }
@@ -76,12 +87,13 @@ static void print_verdict(const struct verdict *verdict)
            (unsigned long long)info->zones, info->kappa_t_max, info->mean_depth, info->max_depth);
 }
 
-static murk_status print_table(const murk_volume *volume, const char *path,
-                               const struct verdict *verdict)
+static murk_status print_table(const struct cli_job *job, const struct verdict *verdict)
 {
     static const char *const HEAD[COLUMNS] = {
         "grid", "type",           "class",  "active voxels",
         "box",  "voxel size [m]", "values", "depth at scale 1"};
+    const murk_volume *volume = job->scene.volume;
+    const char *path = job->options->input;
     size_t count = murk_volume_grid_count(volume);
     struct cli_columns rows = {.columns = COLUMNS, .gap = 2, .left = ~0u};
     murk_grid_info grid;
@@ -97,6 +109,8 @@ static murk_status print_table(const murk_volume *volume, const char *path,
             if (murk_volume_grid_info(volume, i, &grid) == MURK_OK)
                 print_remarks(&grid);
         print_verdict(verdict);
+        if (job->frame)
+            printf("\n");
     }
     return status;
 }
@@ -153,9 +167,9 @@ static json_t *medium_json(const struct verdict *verdict)
     return object;
 }
 
-static murk_status print_object(const murk_volume *volume, const char *path,
-                                const struct verdict *verdict)
+static murk_status print_object(const struct cli_job *job, const struct verdict *verdict)
 {
+    const murk_volume *volume = job->scene.volume;
     json_t *grids = json_array();
     murk_grid_info grid;
     for (size_t i = 0; i < murk_volume_grid_count(volume); i++) {
@@ -168,7 +182,11 @@ static murk_status print_object(const murk_volume *volume, const char *path,
     }
     json_t *object = json_object();
     json_object_set_new(object, "murk", json_string(MURK_VERSION));
-    json_object_set_new(object, "file", cli_json_text(path));
+    if (job->frame) {
+        json_object_set_new(object, "frame", json_integer(*job->frame));
+        json_object_set_new(object, "status", json_string("done"));
+    }
+    json_object_set_new(object, "file", cli_json_text(job->options->input));
     json_object_set_new(object, "grids", grids);
     json_object_set_new(object, "medium", medium_json(verdict));
     cli_print_json(object);
@@ -182,32 +200,39 @@ static void judge(struct cli_job *job, struct verdict *verdict)
     *verdict = (struct verdict){.density = options->extinction.grid};
     if (!verdict->density)
         verdict->density = murk_volume_density(job->scene.volume);
-    job->scene.band_count = 1;
-    murk_status status = murk_medium_from_volume(job->context, job->scene.volume, options,
-                                                 &job->scene.band[0].medium);
+    murk_medium *medium = NULL;
+    murk_status status = murk_medium_from_volume(job->context, job->scene.volume, options, &medium);
     if (status == MURK_OK)
-        status = murk_medium_info_get(job->scene.band[0].medium, &verdict->info);
+        status = murk_medium_info_get(medium, &verdict->info);
     verdict->medium = status == MURK_OK;
     if (status != MURK_OK)
         snprintf(verdict->why_not, sizeof verdict->why_not, "%s",
                  murk_context_message(job->context));
+    murk_medium_release(medium);
+}
+
+/* There are no outputs to check, and nothing is left to do after the last frame. */
+static murk_status nothing(struct cli_job *job)
+{
+    (void)job;
+    return MURK_OK;
+}
+
+static murk_status tell(struct cli_job *job)
+{
+    struct verdict verdict;
+    murk_status status = cli_job_read(job);
+    if (status != MURK_OK)
+        return status;
+    judge(job, &verdict);
+    status = job->options->json ? print_object(job, &verdict) : print_table(job, &verdict);
+    if (status != MURK_OK)
+        cli_error(&job->terminal, "%s: %s", job->options->input, murk_status_text(status));
+    return status;
 }
 
 int cli_info(const struct cli_options *options, const char *command_line)
 {
-    struct cli_job job;
-    murk_status status = cli_job_start(&job, options, "info", command_line);
-    if (status == MURK_OK)
-        status = cli_job_describe(&job);
-    if (status == MURK_OK)
-        status = cli_job_read(&job);
-    if (status == MURK_OK) {
-        struct verdict verdict;
-        judge(&job, &verdict);
-        status = options->json ? print_object(job.scene.volume, options->input, &verdict)
-                               : print_table(job.scene.volume, options->input, &verdict);
-        if (status != MURK_OK)
-            cli_error(&job.terminal, "%s: %s", options->input, murk_status_text(status));
-    }
-    return cli_job_end(&job, status);
+    static const struct cli_steps STEPS = {.check = nothing, .work = tell, .finish = nothing};
+    return cli_run(options, "info", command_line, &STEPS);
 }

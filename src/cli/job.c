@@ -255,13 +255,11 @@ const murk_report *cli_job_report(const struct cli_job *job)
     return worst;
 }
 
-static murk_status render(struct cli_job *job, const murk_render_options *options)
+size_t cli_job_views(const struct cli_job *job, murk_band_view view[SCENE_BANDS_MAX])
 {
     const struct scene *scene = &job->scene;
-    murk_band_view view[SCENE_BANDS_MAX];
     if (!scene->band[0].name)
-        return murk_render(job->context, &scene->band[0].scene, job->solution[0], &scene->camera,
-                           options, &job->picture);
+        return 0;
     for (size_t n = 0; n < scene->band_count; n++) {
         const struct scene_band *band = &scene->band[n];
         view[n] = (murk_band_view){.name = band->name,
@@ -270,8 +268,18 @@ static murk_status render(struct cli_job *job, const murk_render_options *option
                                    .scene = &band->scene,
                                    .solution = job->solution[n]};
     }
-    return murk_render_bands(job->context, view, scene->band_count, &scene->camera, options,
-                             &job->picture);
+    return scene->band_count;
+}
+
+static murk_status render(struct cli_job *job, const murk_render_options *options)
+{
+    const struct scene *scene = &job->scene;
+    murk_band_view view[SCENE_BANDS_MAX];
+    const size_t count = cli_job_views(job, view);
+    if (!count)
+        return murk_render(job->context, &scene->band[0].scene, job->solution[0], &scene->camera,
+                           options, &job->picture);
+    return murk_render_bands(job->context, view, count, &scene->camera, options, &job->picture);
 }
 
 murk_status cli_job_render(struct cli_job *job)

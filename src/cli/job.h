@@ -40,6 +40,10 @@ murk_status cli_job_read(struct cli_job *job);
 /* Builds the scene, after cli_job_read(). */
 murk_status cli_job_build(struct cli_job *job);
 
+/* The bands to take a picture of, for what is there of solutions; gives their number, 0 for a scene
+   without bands. */
+size_t cli_job_views(const struct cli_job *job, murk_band_view view[SCENE_BANDS_MAX]);
+
 murk_status cli_job_solve(struct cli_job *job);
 murk_status cli_job_render(struct cli_job *job);
 

@@ -16,7 +16,7 @@ static void print_usage(FILE *stream)
     fputs(
         "\nINPUT is a .vdb file, a scene file (.json), or - for a VDB stream; for contrast it is\n"
         "an .exr picture of a scene with bands. A frame pattern (####, %04d, $F4) makes image,\n"
-        "solve, render and contrast run over a sequence.\n"
+        "solve, render, info and contrast run over a sequence.\n"
         "murk COMMAND --help lists the options of a command; murk --version tells the version.\n"
         "Exit status: 0 done, 1 bad input or usage, 2 the system failed, 3 tolerance not "
         "reached;\nof a sequence the status of its worst frame: 2 before 1 before 3.\n",
@@ -27,11 +27,11 @@ static const struct cli_command_info *find_command(const char *name)
 {
     size_t count;
     const struct cli_command_info *commands = cli_command_table(&count);
-    struct scene_nearest nearest = {0};
+    struct murk_nearest nearest = {0};
     for (size_t i = 0; i < count; i++) {
         if (!strcmp(commands[i].name, name))
             return &commands[i];
-        scene_nearest_offer(&nearest, name, commands[i].name);
+        murk_nearest_offer(&nearest, name, commands[i].name);
     }
     fprintf(stderr, "murk: \"%s\": unknown command; the nearest known one is %s\n", name,
             nearest.word);

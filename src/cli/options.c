@@ -41,13 +41,13 @@ static bool unknown_option(const struct parser *parser, const char *argument, si
 {
     size_t count;
     const struct cli_option *table = cli_option_table(&count);
-    struct scene_nearest nearest = {0};
+    struct murk_nearest nearest = {0};
     char name[64];
     snprintf(name, sizeof name, "%.*s", (int)length, argument);
     const char *bare = name + strspn(name, "-");
     for (size_t i = 0; i < count; i++)
         if (table[i].commands & parser->command)
-            scene_nearest_offer(&nearest, bare, table[i].name);
+            murk_nearest_offer(&nearest, bare, table[i].name);
     snprintf(parser->message, parser->size,
              "%s: unknown option of murk %s; the nearest known one is --%s", name,
              parser->command_name, nearest.word);

@@ -81,22 +81,37 @@ static bool has_channel(const murk_image *image, const char *name)
 }
 
 /* Names all channels, those nearest to the unknown one first. */
-static murk_status unknown_channel(struct cli_job *job)
+static murk_status unknown_channel(struct cli_job *job, const murk_image *image)
 {
-    enum { LIST_SIZE = 900, LONGEST = 64 };
-    const murk_image *image = job->picture;
+    enum { LIST_SIZE = 900 };
     const char *wanted = job->options->show;
     char list[LIST_SIZE] = "";
-    for (int distance = 0; distance <= LONGEST; distance++)
+    for (int distance = 0; distance <= MURK_EDIT_DISTANCE_MAX; distance++)
         for (int c = 0; c < murk_image_channels(image); c++) {
             const char *name = murk_image_channel_name(image, c);
             size_t used = strlen(list);
-            if (scene_edit_distance(wanted, name) == distance)
+            if (murk_edit_distance(wanted, name) == distance)
                 snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", name);
         }
     cli_error(&job->terminal, "--show %s: the picture has no such channel; it has %s", wanted,
               list);
     return MURK_ERROR_INPUT;
+}
+
+murk_status cli_show_check_channel(struct cli_job *job)
+{
+    static const int size[2] = {1, 1};
+    murk_band_view view[SCENE_BANDS_MAX];
+    murk_image *image = NULL;
+    if (!job->options->show)
+        return MURK_OK;
+    const size_t count = cli_job_views(job, view);
+    murk_status status =
+        cli_job_fail(job, murk_bands_picture(job->context, view, count, size, &image));
+    if (status == MURK_OK && !has_channel(image, job->options->show))
+        status = unknown_channel(job, image);
+    murk_image_release(image);
+    return status;
 }
 
 murk_status cli_show_make(struct cli_job *job, murk_image **out)
@@ -105,8 +120,6 @@ murk_status cli_show_make(struct cli_job *job, murk_image **out)
     char label[128];
     if (!options->show)
         return MURK_OK;
-    if (!has_channel(job->picture, options->show))
-        return unknown_channel(job);
     name_channel(options->show, label, sizeof label);
     const murk_false_color color = {.channel = options->show,
                                     .low = options->range[0],

@@ -79,6 +79,10 @@ static const struct cli_option TABLE[] = {
      "input with a pattern; one that fails does not stop the others; each solve starts from the "
      "frame before, so a sequence run in parts differs within the tolerance",
      TEXT(frames)},
+    {"frames", 0, CLI_INFO, SEQUENCE, "LIST",
+     "the frames to tell about: 1-100, 1-100x2 or 1,3,10-20; not given: all that there are; one "
+     "that fails does not stop the others",
+     TEXT(frames)},
     {"frames", 0, CLI_CONTRAST, SEQUENCE, "LIST",
      "the frames to measure: 1-100, 1-100x2 or 1,3,10-20; not given: all that there are; one that "
      "fails does not stop the others",

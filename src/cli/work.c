@@ -4,6 +4,7 @@
 #include "output.h"
 #include "report.h"
 #include "sequence.h"
+#include "show.h"
 
 #include <string.h>
 
@@ -14,11 +15,12 @@ static murk_status prepare(struct cli_job *job)
     return status == MURK_OK ? cli_job_build(job) : status;
 }
 
-/* Whether the camera can take the picture, before any long work. */
+/* Whether the camera can take the picture that is asked for, before any long work. */
 static murk_status aim(struct cli_job *job)
 {
-    return cli_job_fail(
+    murk_status status = cli_job_fail(
         job, murk_camera_check(job->context, &job->scene.band[0].scene, &job->scene.camera));
+    return status == MURK_OK ? cli_show_check_channel(job) : status;
 }
 
 /* Writes everything and tells what came out. */

@@ -16,6 +16,7 @@ struct murk_context {
     murk_progress_fn *progress;
     void *user;
     char message[1024];
+    char skipped[600]; /* grids of the volume before that could not be read */
 };
 
 /* Records the message of the failure that is being returned and gives back status. Whoever detects

@@ -178,6 +178,17 @@ static murk_status add_thermal(murk_context *context, murk_medium *medium,
 /* Forward scattering that moves less than this part of the extinction is left out. */
 static const double LEAST_FORWARD = 1e-5;
 
+static murk_status keep_name(murk_context *context, murk_medium *medium, const char *name)
+{
+    if (!name)
+        return MURK_OK;
+    medium->extinction_grid = murk_alloc(strlen(name) + 1, 1);
+    if (!medium->extinction_grid)
+        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory");
+    strcpy(medium->extinction_grid, name);
+    return MURK_OK;
+}
+
 static murk_status check_asymmetry(murk_context *context, const murk_medium_parts *parts)
 {
     if (parts->asymmetry > -1 && parts->asymmetry < 1)
@@ -201,6 +212,8 @@ murk_status murk_medium_build(murk_context *context, murk_medium_parts *parts, m
     medium->extinction_scale = parts->extinction_scale;
     medium->asymmetry = parts->asymmetry;
     status = check_asymmetry(context, parts);
+    if (!status)
+        status = keep_name(context, medium, parts->extinction_grid);
     if (!status)
         status = clean_extinction(context, parts, &medium->invalid_voxels);
     if (!status)
@@ -250,6 +263,7 @@ void murk_medium_release(murk_medium *medium)
         murk_grid_release(medium->grid);
         murk_grid_release(medium->input);
         murk_free(medium->emission.field);
+        murk_free(medium->extinction_grid);
     }
     murk_medium_release(medium->whole);
     murk_free(medium->kappa_t);

@@ -27,7 +27,8 @@ struct murk_medium {
     bool corner;
     uint64_t invalid_voxels;
     double extinction_scale; /* kappa_t per unit of the grid, 0 where there was none */
-    murk_medium *whole;      /* whose grids and emission these are, shared; NULL: its own */
+    char *extinction_grid;   /* unique name of that grid; NULL: made from arrays */
+    murk_medium *whole;      /* whose grids, emission and name these are, shared; NULL: its own */
 };
 
 /* What a medium is made from: kappa_t carries the topology (all active voxels, values already
@@ -42,7 +43,8 @@ typedef struct murk_medium_parts {
     double asymmetry;
     double extinction_scale; /* that kappa_t was scaled by, to be kept for reports */
     bool corner, strict;
-    const char *where; /* for messages: "plume.vdb, grid density" */
+    const char *extinction_grid; /* unique name of that grid, copied; NULL: none */
+    const char *where;           /* for messages: "plume.vdb, grid density" */
 } murk_medium_parts;
 
 /* Builds a medium and consumes the bricks of parts (also on failure). */

@@ -71,8 +71,8 @@ static murk_status check_names(murk_context *context, const murk_band_view *view
     return MURK_OK;
 }
 
-static murk_status create(murk_context *context, const murk_band_view *views, size_t count,
-                          const int size[2], murk_image **out)
+murk_status murk_bands_picture(murk_context *context, const murk_band_view *views, size_t count,
+                               const int size[2], murk_image **out)
 {
     const size_t most = COLORS + 1 + count * (LAYERS + 1);
     channels made = {.name = murk_alloc(most, NAME_SIZE)};
@@ -232,7 +232,7 @@ murk_status murk_render_bands(murk_context *context, const murk_band_view *views
     if (!status)
         status = murk_camera_check(context, views[0].scene, camera);
     if (!status)
-        status = create(context, views, count, camera->size, &image);
+        status = murk_bands_picture(context, views, count, camera->size, &image);
     if (!status)
         status = name_bands(context, views, count, image);
     const murk_band_view *mass = massive(views, count);

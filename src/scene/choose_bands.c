@@ -30,11 +30,11 @@ bool scene_known_band(const char *name, murk_band *out)
 static murk_status unknown(const struct scene_description *description, const char *name,
                            char *message)
 {
-    struct scene_nearest nearest = {0};
+    struct murk_nearest nearest = {0};
     for (size_t n = 0; n < description->band_count; n++)
-        scene_nearest_offer(&nearest, name, description->band[n].name);
+        murk_nearest_offer(&nearest, name, description->band[n].name);
     for (size_t i = 0; !description->band_count && i < COUNT(KNOWN); i++)
-        scene_nearest_offer(&nearest, name, KNOWN[i].name);
+        murk_nearest_offer(&nearest, name, KNOWN[i].name);
     snprintf(message, SCENE_MESSAGE_SIZE, "--bands: no band %s; the nearest known one is %s", name,
              nearest.word ? nearest.word : "none");
     return MURK_ERROR_INPUT;

@@ -28,9 +28,9 @@ bool scene_fail(struct scene_reader *reader, const char *format, ...)
 static bool unknown_key(struct scene_reader *reader, const char *name, const struct scene_key *keys,
                         size_t count)
 {
-    struct scene_nearest nearest = {0};
+    struct murk_nearest nearest = {0};
     for (size_t i = 0; i < count; i++)
-        scene_nearest_offer(&nearest, name, keys[i].name);
+        murk_nearest_offer(&nearest, name, keys[i].name);
     return scene_fail(reader, "unknown key; the nearest known one is \"%s\"", nearest.word);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "band_set.h"
 
+#include <math.h>
 #include <string.h>
 
 int murk_band_component(const char *name)
@@ -17,6 +18,12 @@ const char *murk_band_set_name(const murk_band_set *set, size_t band)
     return set->name ? set->name[band] : NULL;
 }
 
+/* Whether the values of two bands can be those of one grid. */
+static bool share_voxels(const murk_solution *a, const murk_solution *b)
+{
+    return murk_grid_same(a->grid, b->grid) && murk_grid_same(a->medium->input, b->medium->input);
+}
+
 bool murk_band_set_colours(const murk_band_set *set, size_t band[3])
 {
     int found = 0;
@@ -28,7 +35,8 @@ bool murk_band_set_colours(const murk_band_set *set, size_t band[3])
         band[component] = i;
         found++;
     }
-    return found == 3;
+    return found == 3 && share_voxels(set->solution[band[0]], set->solution[band[1]]) &&
+           share_voxels(set->solution[band[0]], set->solution[band[2]]);
 }
 
 bool murk_band_set_one_extinction(const murk_band_set *set)
@@ -60,6 +68,32 @@ static murk_status check_name(const murk_band_set *set, size_t band, const char 
     return MURK_OK;
 }
 
+/* World position of index (0, 0, 0)'s low corner. */
+static void find_origin(const murk_grid *grid, double origin[3])
+{
+    const double lo[3] = {-grid->lo[0] * grid->voxel[0], -grid->lo[1] * grid->voxel[1],
+                          -grid->lo[2] * grid->voxel[2]};
+    murk_grid_to_world(grid, lo, origin);
+}
+
+/* Whether two grids lie on one transform: to a thousandth of a voxel. */
+static bool share_transform(const murk_grid *a, const murk_grid *b)
+{
+    const double least = fmin(fmin(a->voxel[0], a->voxel[1]), a->voxel[2]);
+    double from[3], to[3];
+    find_origin(a, from);
+    find_origin(b, to);
+    for (int i = 0; i < 3; i++) {
+        if (!(fabs(from[i] - to[i]) <= 1e-3 * least) ||
+            !(fabs(a->voxel[i] - b->voxel[i]) <= 1e-6 * least))
+            return false;
+        for (int c = 0; c < 3; c++)
+            if (!(fabs(a->axis[i][c] - b->axis[i][c]) <= 1e-6))
+                return false;
+    }
+    return true;
+}
+
 murk_status murk_band_set_check(const murk_band_set *set, const char *where)
 {
     const murk_solution *first = set->solution[0];
@@ -68,11 +102,10 @@ murk_status murk_band_set_check(const murk_band_set *set, const char *where)
         murk_status status = check_name(set, i, where);
         if (status)
             return status;
-        if (!murk_grid_same(first->grid, other->grid) ||
-            !murk_grid_same(first->medium->input, other->medium->input))
+        if (!share_transform(first->grid, other->grid))
             return murk_fail(first->context, MURK_ERROR_INPUT,
-                             "%s: the bands %s and %s are on different voxels; solve all bands on "
-                             "the grids of one volume",
+                             "%s: the bands %s and %s are on different transforms; write them to "
+                             "files of their own",
                              where, set->name[0], set->name[i]);
     }
     return MURK_OK;

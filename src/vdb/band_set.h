@@ -12,14 +12,15 @@ typedef struct murk_band_set {
     size_t count;
 } murk_band_set;
 
-/* Fails where the names are no names of bands or the solutions are on different voxels. where: for
-   messages. */
+/* Fails where the names are no names of bands or the solutions are on different transforms. where:
+   for messages. */
 murk_status murk_band_set_check(const murk_band_set *set, const char *where);
 
 /* The name of a band, or NULL. */
 const char *murk_band_set_name(const murk_band_set *set, size_t band);
 
-/* The bands named R, G and B; false where one of them is not there. */
+/* The bands named R, G and B; false where one of them is not there or they do not have the same
+   voxels, so that one grid cannot hold them. */
 bool murk_band_set_colours(const murk_band_set *set, size_t band[3]);
 
 /* Whether all bands have the same zones with the same kappa_t. */

@@ -99,8 +99,11 @@ murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t i
                              vdb->path.c_str(), item.name.c_str(), item.unreadable.c_str());
         murk_bricks bricks{};
         bool complete = false;
-        murk_vdb_typed(*item.grid,
-                       [&](const auto &grid) { complete = copy(grid, component, bricks); });
+        const auto take = [&](const auto &grid) { complete = copy(grid, component, bricks); };
+        if (murk_vdb_is_level_set(*item.grid))
+            take(*murk_vdb_inside(*item.grid));
+        else
+            murk_vdb_typed(*item.grid, take);
         if (!complete) {
             murk_bricks_clear(&bricks);
             throw std::bad_alloc();

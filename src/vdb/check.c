@@ -64,9 +64,24 @@ static void take_band(murk_cursor *c, uint64_t size, char out[MURK_VDB_NAME])
             out[0] = 0;
 }
 
-/* One entry of a metadata map; grid (may be NULL) learns what matters of its own, band (may be
-   NULL) that of the file. */
-static void skip_metadatum(murk_cursor *c, murk_vdb_entry *grid, char band[MURK_VDB_NAME])
+/* Takes a double of the file metadata. */
+static void take_asymmetry(murk_cursor *c, const char *key, murk_vdb_header *file)
+{
+    murk_vdb_asymmetry *to = &file->asymmetry[file->asymmetries++];
+    uint64_t bits = murk_take_number(c, 8);
+    snprintf(to->key, sizeof to->key, "%s", key);
+    memcpy(&to->value, &bits, sizeof to->value);
+}
+
+static bool is_asymmetry(const char *name, const char *type, const murk_vdb_header *file)
+{
+    return !strncmp(name, "asymmetry", 9) && strlen(name) < sizeof file->asymmetry->key &&
+           !strcmp(type, "double") && file->asymmetries < MURK_VDB_ASYMMETRIES;
+}
+
+/* One entry of a metadata map; grid (may be NULL) learns what matters of its own, file (may be
+   NULL) what does of that. */
+static void skip_metadatum(murk_cursor *c, murk_vdb_entry *grid, murk_vdb_header *file)
 {
     char name[MURK_VDB_NAME], type[MURK_VDB_NAME];
     uint64_t start = c->at;
@@ -80,8 +95,10 @@ static void skip_metadatum(murk_cursor *c, murk_vdb_entry *grid, char band[MURK_
     bool half = grid && !strcmp(name, "is_saved_as_half_float") && !strcmp(type, "bool");
     if (half)
         grid->is_half = murk_take_number(c, 1) != 0;
-    else if (band && !strcmp(name, "band") && !strcmp(type, "string"))
-        take_band(c, size, band);
+    else if (file && !strcmp(name, "band") && !strcmp(type, "string"))
+        take_band(c, size, file->band);
+    else if (file && is_asymmetry(name, type, file))
+        take_asymmetry(c, name, file);
     else
         murk_skip(c, size);
     if (!grid || strcmp(type, "__delayedload"))
@@ -92,13 +109,13 @@ static void skip_metadatum(murk_cursor *c, murk_vdb_entry *grid, char band[MURK_
     grid->delayed_end = c->at;
 }
 
-static void skip_metadata(murk_cursor *c, murk_vdb_entry *grid, char band[MURK_VDB_NAME])
+static void skip_metadata(murk_cursor *c, murk_vdb_entry *grid, murk_vdb_header *file)
 {
     uint64_t count = murk_take_number(c, 4);
     if (grid)
         grid->metadata_count = (uint32_t)count;
     for (; count > 0 && !c->trouble; count--)
-        skip_metadatum(c, grid, band);
+        skip_metadatum(c, grid, file);
 }
 
 static void skip_transform(murk_cursor *c, const murk_vdb_header *header)
@@ -165,7 +182,7 @@ murk_status murk_vdb_check(murk_context *context, const murk_source *source, mur
         murk_cursor_fail(&c, "a flag that is neither 0 nor 1");
     check_uuid(&c);
     header.prefix = c.at;
-    skip_metadata(&c, NULL, header.band);
+    skip_metadata(&c, NULL, &header);
     header.grid_count = (uint32_t)murk_take_number(&c, 4);
     header.first = c.at;
     if (header.grid_count > (c.end - c.at) / SMALLEST_DESCRIPTOR)

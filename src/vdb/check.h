@@ -12,6 +12,14 @@ extern "C" {
 
 enum { MURK_VDB_NAME = 1024, MURK_VDB_SEPARATOR = 0x1e };
 
+/* An asymmetry of the file metadata, of all bands or of one. */
+typedef struct murk_vdb_asymmetry {
+    char key[64]; /* "asymmetry", "asymmetry_LWIR" */
+    double value;
+} murk_vdb_asymmetry;
+
+enum { MURK_VDB_ASYMMETRIES = 32 };
+
 typedef struct murk_vdb_header {
     uint32_t version;     /* of the file format */
     bool has_offsets;     /* a file; streams do not know where their grids end */
@@ -20,6 +28,8 @@ typedef struct murk_vdb_header {
     uint32_t grid_count;
     uint64_t first;           /* where the first grid's descriptor starts */
     char band[MURK_VDB_NAME]; /* of the file metadata; "": none */
+    murk_vdb_asymmetry asymmetry[MURK_VDB_ASYMMETRIES];
+    int asymmetries;
 } murk_vdb_header;
 
 /* One grid's descriptor, and what comes between it and the grid's tree. */

@@ -40,10 +40,17 @@ static int rank_name(const char *name)
     return -1;
 }
 
-static bool is_scalar(const murk_grid_info *info)
+bool murk_volume_is_level_set(const murk_grid_info *info)
 {
-    return !strcmp(info->type, "float") || !strcmp(info->type, "half") ||
-           !strcmp(info->type, "double");
+    return !strcmp(info->grid_class, "level set");
+}
+
+/* Whether a grid may be taken without being asked for: masks, counts and surfaces are not. */
+static bool is_field(const murk_grid_info *info)
+{
+    return !murk_volume_is_level_set(info) &&
+           (!strcmp(info->type, "float") || !strcmp(info->type, "half") ||
+            !strcmp(info->type, "double"));
 }
 
 int64_t murk_volume_choose(const murk_volume *volume)
@@ -53,7 +60,7 @@ int64_t murk_volume_choose(const murk_volume *volume)
     int best_rank = 0, best_worth = 0, readable = 0;
     for (size_t i = 0; i < murk_vdb_count(vdb); i++) {
         const murk_grid_info *info = murk_vdb_info(vdb, i);
-        if (!is_scalar(info))
+        if (!is_field(info))
             continue;
         if (info->readable && !is_other(info->name)) {
             readable++;

@@ -137,7 +137,7 @@ int shortest_axis(const murk_grid_info &info)
 
 std::string not_scalar(const murk_vdb_item &item)
 {
-    return "of type " + item.type + ", not a scalar float field";
+    return "of type " + item.type + ", not a scalar field";
 }
 
 /* Why murk cannot take a linear transform, or "". */
@@ -166,22 +166,23 @@ std::string find_transform_obstacle(const murk_grid_info &info)
 std::string find_obstacle(const openvdb::GridBase &grid, const murk_vdb_item &item)
 {
     const murk_grid_info &info = item.info;
-    uint64_t bricks = 0;
-    const bool known = murk_vdb_typed(grid, [&](const auto &typed) {
-        murk_vdb_each_tile(
-            typed, [&](const CoordBBox &box, const auto &) { bricks += murk_vdb_bricks_of(box); });
-    });
+    const bool level_set = murk_vdb_is_level_set(grid);
+    uint64_t bricks = level_set ? murk_vdb_inside_bricks(grid) : 0;
+    const bool known = level_set || murk_vdb_typed(grid, [&](const auto &typed) {
+                           murk_vdb_each_tile(typed, [&](const CoordBBox &box, const auto &) {
+                               bricks += murk_vdb_bricks_of(box);
+                           });
+                       });
     if (!known)
         return not_scalar(item);
-    if (grid.getGridClass() == openvdb::GRID_LEVEL_SET)
-        return "a level set, not a density; convert it to a fog volume";
     if (!grid.transform().isLinear())
         return "on a frustum (nonlinear) transform; resample it to a box of even voxels";
     for (int a = 0; a < 3 && info.active_voxels; a++)
         if (info.box_min[a] < -index_limit || info.box_max[a] > index_limit)
             return "its voxels lie beyond index " + std::to_string(index_limit) + "; clip the grid";
     if (bricks > murk_vdb_tile_bricks)
-        return "its active tiles would fill " + std::to_string(bricks) +
+        return std::string(level_set ? "its inside" : "its active tiles") + " would fill " +
+               std::to_string(bricks) +
                " bricks of 8^3 voxels, "
                "more than the " +
                std::to_string(murk_vdb_tile_bricks) +
@@ -210,6 +211,11 @@ void murk_vdb_describe(const openvdb::GridBase &grid, murk_vdb_item &item)
     if (!info.readable)
         return;
     const int axis = shortest_axis(info);
-    murk_vdb_scalar(
-        grid, [&](const auto &typed) { tally(info, axis).count(typed, info.voxel_size[axis]); });
+    const auto count = [&](const auto &typed) {
+        tally(info, axis).count(typed, info.voxel_size[axis]);
+    };
+    if (murk_vdb_is_level_set(grid))
+        count(*murk_vdb_inside(grid));
+    else
+        murk_vdb_scalar(grid, count);
 }

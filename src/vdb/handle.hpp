@@ -6,6 +6,7 @@
 #include "vdb.h"
 
 #include <deque>
+#include <map>
 #include <openvdb/openvdb.h>
 #include <string>
 
@@ -18,7 +19,8 @@ struct murk_vdb_item {
 
 struct murk_vdb {
     std::string path, band;
-    std::deque<murk_vdb_item> items; /* a deque: infos must not move */
+    std::map<std::string, double> asymmetry; /* by the key of the file metadata */
+    std::deque<murk_vdb_item> items;         /* a deque: infos must not move */
 };
 
 /* Bricks that the active tiles of a grid would become at most; beyond that a grid is refused. */
@@ -33,25 +35,38 @@ inline uint64_t murk_vdb_bricks_of(const openvdb::CoordBBox &tile)
     return tile.volume() / 512;
 }
 
-/* Calls body with the grid as FloatGrid or DoubleGrid; false for any other type. */
-template <class Body> bool murk_vdb_scalar(const openvdb::GridBase &grid, Body &&body)
+/* Whether a grid holds distances from a surface, negative inside. */
+bool murk_vdb_is_level_set(const openvdb::GridBase &grid);
+
+/* Of a level set: the part of each voxel that is inside, active where there is any; and the bricks
+   that its tiles would become at most. */
+openvdb::FloatGrid::Ptr murk_vdb_inside(const openvdb::GridBase &grid);
+uint64_t murk_vdb_inside_bricks(const openvdb::GridBase &grid);
+
+/* Calls body with the grid as the one of the types that it is; false for any other. */
+template <class Grid, class... Others, class Body>
+bool murk_vdb_as(const openvdb::GridBase &grid, Body &&body)
 {
-    if (grid.isType<openvdb::FloatGrid>())
-        body(static_cast<const openvdb::FloatGrid &>(grid));
-    else if (grid.isType<openvdb::DoubleGrid>())
-        body(static_cast<const openvdb::DoubleGrid &>(grid));
+    if (grid.isType<Grid>())
+        body(static_cast<const Grid &>(grid));
+    else if constexpr (sizeof...(Others) > 0)
+        return murk_vdb_as<Others...>(grid, body);
     else
         return false;
     return true;
 }
 
-/* Calls body with the grid as one of those or Vec3SGrid; false for any other type. */
+/* The same for all types that are scalars to murk: of a mask, active voxels are 1. */
+template <class Body> bool murk_vdb_scalar(const openvdb::GridBase &grid, Body &&body)
+{
+    return murk_vdb_as<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Int32Grid,
+                       openvdb::Int64Grid, openvdb::BoolGrid, openvdb::MaskGrid>(grid, body);
+}
+
+/* And for these and Vec3SGrid. */
 template <class Body> bool murk_vdb_typed(const openvdb::GridBase &grid, Body &&body)
 {
-    if (!grid.isType<openvdb::Vec3SGrid>())
-        return murk_vdb_scalar(grid, body);
-    body(static_cast<const openvdb::Vec3SGrid &>(grid));
-    return true;
+    return murk_vdb_as<openvdb::Vec3SGrid>(grid, body) || murk_vdb_scalar(grid, body);
 }
 
 /* Calls body(box, value) for each active tile. */

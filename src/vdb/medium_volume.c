@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* A medium from the grids of a volume. */
 #include "medium.h"
+#include "resample.h"
 #include "volume.h"
 
 #include <math.h>
@@ -67,27 +68,61 @@ static murk_status find_extinction(assembly *a)
         return murk_fail(a->context, MURK_ERROR_INPUT, "%s: no grids; give a file with a density",
                          a->path);
     char names[600];
-    murk_volume_list(a->volume, names, sizeof names);
+    murk_volume_list(a->volume, NULL, names, sizeof names);
     return murk_fail(a->context, MURK_ERROR_INPUT,
-                     "%s: no grid looks like a density; name the one to use of %s", a->path, names);
+                     "%s: no grid looks like a density; name the one to use, with --grid or as "
+                     "\"extinction\": {\"grid\": NAME}, of %s",
+                     a->path, names);
 }
 
 /* Two grids on the same transform: within a thousandth of a voxel near the origin. */
-static murk_status check_transforms(const assembly *a, size_t other, const char *quantity)
+static bool is_same_transform(const murk_grid_info *one, const murk_grid_info *two)
 {
-    const murk_grid_info *one = murk_vdb_info(a->volume->vdb, a->extinction);
-    const murk_grid_info *two = murk_vdb_info(a->volume->vdb, other);
     double voxel = fmin(fmin(one->voxel_size[0], one->voxel_size[1]), one->voxel_size[2]);
     for (int row = 0; row < 3; row++)
         for (int column = 0; column < 4; column++) {
             double tolerance = (column < 3 ? 1e-6 : 1e-3) * voxel;
             int i = 4 * row + column;
             if (!(fabs(one->index_to_world[i] - two->index_to_world[i]) <= tolerance))
-                return murk_fail(a->context, MURK_ERROR_INPUT,
-                                 "%s: the grids %s (extinction) and %s (%s) are on different "
-                                 "transforms; resample one to the other",
-                                 a->path, one->name, two->name, quantity);
+                return false;
         }
+    return true;
+}
+
+/* Puts a quantity that lies on another transform onto the voxels of the extinction. */
+static murk_status resample(const assembly *a, size_t index, const char *quantity,
+                            murk_absence absence, murk_bricks *bricks)
+{
+    const murk_grid_info *one = murk_vdb_info(a->volume->vdb, a->extinction);
+    const murk_grid_info *two = murk_vdb_info(a->volume->vdb, index);
+    const murk_resample_options options = {.absence = absence, .corner = a->options->corner};
+    murk_bricks target = a->parts.kappa_t, resampled;
+    murk_resample_report report;
+    if (!bricks->count || !target.count || is_same_transform(one, two))
+        return MURK_OK;
+    memcpy(target.index_to_world, one->index_to_world, sizeof target.index_to_world);
+    murk_status status = murk_resample(a->context, bricks, &target, &options, &resampled, &report);
+    if (status)
+        return status;
+    murk_bricks_clear(bricks);
+    *bricks = resampled;
+    if (report.invalid && a->options->strict)
+        return murk_fail(a->context, MURK_ERROR_INPUT,
+                         "%s: the %s grid %s has %llu voxels that are NaN or infinite; mend the "
+                         "grid or leave out --strict to pass over them",
+                         a->path, quantity, two->name, (unsigned long long)report.invalid);
+    if (report.invalid)
+        murk_warn(a->context,
+                  "%s: the %s grid %s has %llu voxels that are NaN or infinite: passed over",
+                  a->path, quantity, two->name, (unsigned long long)report.invalid);
+    if (!report.covered)
+        murk_warn(a->context,
+                  "%s: the %s grid %s lies beside %s on its transform: its background holds",
+                  a->path, quantity, two->name, one->name);
+    else
+        murk_note(a->context,
+                  "%s: the %s grid %s is on another transform than %s: resampled onto its voxels",
+                  a->path, quantity, two->name, one->name);
     return MURK_OK;
 }
 
@@ -144,7 +179,8 @@ static murk_status take_extinction(assembly *a)
 }
 
 static murk_status take_quantity(assembly *a, const murk_quantity *quantity, const char *name,
-                                 murk_bricks *bricks, double *scale, double *value)
+                                 murk_absence absence, murk_bricks *bricks, double *scale,
+                                 double *value)
 {
     *value = quantity->value;
     *scale = quantity->scale;
@@ -153,9 +189,9 @@ static murk_status take_quantity(assembly *a, const murk_quantity *quantity, con
     size_t index;
     murk_status status = murk_volume_find(a->context, a->volume, quantity->grid, &index);
     if (!status)
-        status = check_transforms(a, index, name);
-    if (!status)
         status = murk_vdb_bricks(a->context, a->volume->vdb, index, 0, bricks);
+    if (!status)
+        status = resample(a, index, name, absence, bricks);
     if (status)
         return status;
     override_voxel_size(a, bricks);
@@ -183,19 +219,20 @@ murk_status murk_medium_from_volume(murk_context *context, const murk_volume *vo
     if (!status)
         status = find_extinction(&a);
     if (!status) {
-        snprintf(where, sizeof where, "%.500s, grid %.250s", a.path,
-                 murk_vdb_info(volume->vdb, a.extinction)->name);
+        parts->extinction_grid = murk_vdb_info(volume->vdb, a.extinction)->name;
+        snprintf(where, sizeof where, "%.500s, grid %.250s", a.path, parts->extinction_grid);
         status = take_extinction(&a);
     }
     if (!status)
-        status = take_quantity(&a, &a.options->albedo, "albedo", &parts->albedo,
-                               &parts->albedo_scale, &parts->albedo_value);
+        status = take_quantity(&a, &a.options->albedo, "albedo", MURK_ABSENT_IS_UNKNOWN,
+                               &parts->albedo, &parts->albedo_scale, &parts->albedo_value);
     if (!status)
-        status = take_quantity(&a, &a.options->emission, "emission", &parts->emission,
-                               &parts->emission_scale, &parts->emission_value);
+        status = take_quantity(&a, &a.options->emission, "emission", MURK_ABSENT_IS_BACKGROUND,
+                               &parts->emission, &parts->emission_scale, &parts->emission_value);
     if (!status)
-        status = take_quantity(&a, &a.options->temperature, "temperature", &parts->temperature,
-                               &parts->temperature_scale, &parts->temperature_value);
+        status = take_quantity(&a, &a.options->temperature, "temperature", MURK_ABSENT_IS_UNKNOWN,
+                               &parts->temperature, &parts->temperature_scale,
+                               &parts->temperature_value);
     if (!status && a.options->temperature.grid) {
         parts->temperature_offset = a.options->temperature_offset;
         parts->temperature_value += a.options->temperature_offset;

@@ -172,6 +172,16 @@ static murk_status add_extinction(output *o)
                                                  : add_quantity(o, q.name, q.find);
 }
 
+/* The grid that goes with the solution as it is: that of the extinction, else the density. */
+static int64_t find_pass(const murk_volume *source, const murk_medium *medium)
+{
+    const char *name = medium->extinction_grid;
+    for (size_t i = 0; source && name && i < murk_vdb_count(source->vdb); i++)
+        if (!strcmp(murk_vdb_info(source->vdb, i)->name, name))
+            return (int64_t)i;
+    return source ? murk_volume_choose(source) : MURK_NO_GRID;
+}
+
 static murk_status add_pass(output *o, const murk_volume *source, int64_t index)
 {
     murk_context *context = o->set.solution[0]->context;
@@ -211,7 +221,7 @@ murk_status murk_solutions_write(const murk_solution *const *solution, const cha
     if (!options)
         options = &defaults;
     const murk_band_set set = {.solution = solution, .name = name, .count = count};
-    int64_t pass = options->source ? murk_volume_choose(options->source) : MURK_NO_GRID;
+    int64_t pass = find_pass(options->source, solution[0]->medium);
     output o = {.count = 0};
     murk_metadata metadata = {0};
     murk_status status = create_output(&set, path, &o);

@@ -86,6 +86,25 @@ static murk_status take_radiosity(murk_context *context, const murk_volume *volu
     return status;
 }
 
+/* Fails where the file says that it was solved with another g: a solution is that of the medium
+   with kappa_s (1 - g). */
+static murk_status check_asymmetry(murk_context *context, const murk_volume *volume,
+                                   const char *name, const murk_medium *medium)
+{
+    char key[64];
+    snprintf(key, sizeof key, "asymmetry_%s", name ? name : "");
+    double solved = murk_vdb_asymmetry_of(volume->vdb, key);
+    if (isnan(solved))
+        solved = murk_vdb_asymmetry_of(volume->vdb, "asymmetry");
+    if (!(fabs(solved - medium->asymmetry) > 1e-6)) /* nor where the file does not say */
+        return MURK_OK;
+    return murk_fail(context, MURK_ERROR_INPUT,
+                     "%s%s%s: solved with asymmetry %g, but that of the medium is %g; solve this "
+                     "medium again",
+                     murk_vdb_path(volume->vdb), name ? ", band " : "", name ? name : "", solved,
+                     medium->asymmetry);
+}
+
 murk_status murk_solution_from_volume_band(murk_context *context, const murk_scene *scene,
                                            const murk_volume *volume, const char *name,
                                            murk_solution **out)
@@ -94,7 +113,9 @@ murk_status murk_solution_from_volume_band(murk_context *context, const murk_sce
     murk_status status = murk_solution_create(context, scene, 0, &solution);
     if (status)
         return status;
-    status = take_radiosity(context, volume, name, solution);
+    status = check_asymmetry(context, volume, name, solution->medium);
+    if (!status)
+        status = take_radiosity(context, volume, name, solution);
     if (!status)
         status = murk_solution_light_ground(context, solution);
     if (status)

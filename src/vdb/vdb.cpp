@@ -11,6 +11,7 @@
 #include "handle.hpp"
 #include "segments.hpp"
 
+#include <cmath>
 #include <istream>
 #include <memory>
 #include <openvdb/io/Stream.h>
@@ -123,6 +124,8 @@ class reader
     {
         check(murk_vdb_check(context, &from, &header_));
         vdb.band = header_.band;
+        for (int i = 0; i < header_.asymmetries; i++)
+            vdb.asymmetry[header_.asymmetry[i].key] = header_.asymmetry[i].value;
         /* A file's offsets are checked to the last before anything is read. */
         uint64_t start = header_.first;
         for (uint32_t i = 0; header_.has_offsets && i < header_.grid_count; i++) {
@@ -142,21 +145,38 @@ class reader
             }
             read_grid(entries_[i]);
             start = entries_[i].end;
+            if (!start && i + 1 < header_.grid_count) {
+                lose_rest();
+                return;
+            }
         }
     }
 
   private:
-    void read_grid(murk_vdb_entry &entry)
+    murk_vdb_item &add_item(const std::string &label)
     {
         murk_vdb_item &item = vdb_.items.emplace_back();
-        item.name = entry.label;
+        item.name = label;
         for (int n = 1; !names_.insert(item.name).second; n++)
-            item.name = std::string(entry.label) + "[" + std::to_string(n) + "]";
+            item.name = label + "[" + std::to_string(n) + "]";
+        return item;
+    }
+
+    static void finish_item(murk_vdb_item &item)
+    {
+        item.info.name = item.name.c_str();
+        item.info.type = item.type.c_str();
+        item.info.grid_class = item.grid_class.c_str();
+        item.info.unreadable = item.info.readable ? nullptr : item.unreadable.c_str();
+    }
+
+    void read_grid(murk_vdb_entry &entry)
+    {
+        murk_vdb_item &item = add_item(entry.label);
         openvdb::GridBase::Ptr grid;
         try {
             if (!murk_vdb_knows_tree(entry.type))
-                throw std::runtime_error("of type " + type_of(entry) +
-                                         ", not a scalar float field");
+                throw std::runtime_error("of type " + type_of(entry) + ", not a scalar field");
             grid = load(entry);
             murk_vdb_describe(*grid, item);
         } catch (const failure &) {
@@ -168,14 +188,23 @@ class reader
         } catch (const std::exception &error) {
             refuse(entry, item, murk_reason(error));
         }
-        item.info.name = item.name.c_str();
-        item.info.type = item.type.c_str();
-        item.info.grid_class = item.grid_class.c_str();
-        item.info.unreadable = item.info.readable ? nullptr : item.unreadable.c_str();
+        finish_item(item);
         if (item.components == 3 && !is_radiosity(entry))
             item.components = 0; /* a velocity would take memory for nothing */
         if (item.components)
             item.grid = grid;
+    }
+
+    /* Stands for all grids of a stream behind one that murk does not know the end of. */
+    void lose_rest()
+    {
+        const std::string behind = vdb_.items.back().name;
+        murk_vdb_item &item = add_item("?");
+        item.type = item.grid_class = "unknown";
+        item.unreadable = "what comes behind grid " + behind +
+                          " in a stream, which does not tell where that one ends; write a file, or "
+                          "such grids last";
+        finish_item(item);
     }
 
     openvdb::GridBase::Ptr load(murk_vdb_entry &entry)
@@ -219,7 +248,7 @@ class reader
 
     void refuse(const murk_vdb_entry &entry, murk_vdb_item &item, const std::string &reason)
     {
-        if (!entry.end) /* where the next grid starts is unknown, too */
+        if (!entry.end && murk_vdb_knows_tree(entry.type)) /* damage, and the next grid is lost */
             throw failure{murk_fail(context_, MURK_ERROR_INPUT,
                                     "%s, grid %s: cannot be read: %s; write the stream again",
                                     source_.where, item.name.c_str(), reason.c_str())};
@@ -296,6 +325,12 @@ int murk_vdb_components(const murk_vdb *vdb, size_t index) noexcept
 const char *murk_vdb_band(const murk_vdb *vdb) noexcept
 {
     return vdb->band.c_str();
+}
+
+double murk_vdb_asymmetry_of(const murk_vdb *vdb, const char *key) noexcept
+{
+    const auto found = vdb->asymmetry.find(key);
+    return found == vdb->asymmetry.end() ? NAN : found->second;
 }
 
 const char *murk_vdb_path(const murk_vdb *vdb) noexcept

@@ -31,12 +31,16 @@ const char *murk_vdb_path(const murk_vdb *vdb) MURK_NOEXCEPT;
 /* The file metadata "band", or "". */
 const char *murk_vdb_band(const murk_vdb *vdb) MURK_NOEXCEPT;
 
+/* A number of the file metadata whose key starts with "asymmetry", or NaN. */
+double murk_vdb_asymmetry_of(const murk_vdb *vdb, const char *key) MURK_NOEXCEPT;
+
 /* Components that murk_vdb_bricks() can take of a grid: 1 where its info says readable, 3 of a
    vec3s "radiosity", 0 of any other. */
 int murk_vdb_components(const murk_vdb *vdb, size_t index) MURK_NOEXCEPT;
 
 /* Copies a component of a grid into bricks sorted by (x, y, z), active tiles expanded; values are
-   passed on as they are (NaN and negative included). */
+   passed on as they are (NaN and negative included). Of a level set, the part of each voxel that is
+   inside, where there is any. */
 murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t index, int component,
                             murk_bricks *out) MURK_NOEXCEPT;
 

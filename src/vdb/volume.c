@@ -1,8 +1,35 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "volume.h"
 
+#include "nearest.h"
+
 #include <stdio.h>
 #include <string.h>
+
+/* Whether nothing of a grid could be read; one of a type that is no medium could. */
+static bool is_skipped(const murk_grid_info *info)
+{
+    return !info->readable && !(info->voxel_size[0] > 0);
+}
+
+/* Tells what a file holds beside, in one line; for the frames of a sequence once. */
+static void warn_skipped(murk_context *context, const murk_vdb *vdb)
+{
+    char list[sizeof context->skipped] = "";
+    size_t used = 0;
+    for (size_t i = 0; i < murk_vdb_count(vdb) && used < sizeof list; i++) {
+        const murk_grid_info *info = murk_vdb_info(vdb, i);
+        if (is_skipped(info))
+            used += (size_t)snprintf(list + used, sizeof list - used, "%sgrid %.100s: %.250s",
+                                     used ? "; " : "", info->name, info->unreadable);
+    }
+    if (used >= sizeof list)
+        strcpy(list + sizeof list - 4, "...");
+    if (!used || !strcmp(list, context->skipped))
+        return;
+    murk_warn(context, "%s: skipped what cannot be read: %s", murk_vdb_path(vdb), list);
+    strcpy(context->skipped, list);
+}
 
 murk_status murk_volume_read(murk_context *context, const char *path, murk_volume **out)
 {
@@ -11,11 +38,13 @@ murk_status murk_volume_read(murk_context *context, const char *path, murk_volum
         return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
     volume->context = context;
     murk_status status = murk_vdb_read(context, path, &volume->vdb);
-    if (status)
+    if (status) {
         murk_free(volume);
-    else
-        *out = volume;
-    return status;
+        return status;
+    }
+    warn_skipped(context, volume->vdb);
+    *out = volume;
+    return MURK_OK;
 }
 
 void murk_volume_release(murk_volume *volume)
@@ -62,19 +91,31 @@ bool murk_volume_same_name(const char *label, const char *name)
     return digits && !strcmp(rest + 1 + digits, "]");
 }
 
-void murk_volume_list(const murk_volume *volume, char *out, size_t size)
+/* Adds a grid's name to a list of `used` characters. */
+static size_t list_name(const murk_grid_info *info, char *out, size_t size, size_t used)
+{
+    const char *remark = !info->readable                  ? " (unreadable)"
+                         : murk_volume_is_level_set(info) ? " (a level set: its inside)"
+                                                          : "";
+    if (used >= size)
+        return used;
+    return used + (size_t)snprintf(out + used, size - used, "%s\"%.100s\"%s", used ? ", " : "",
+                                   info->name, remark);
+}
+
+void murk_volume_list(const murk_volume *volume, const char *name, char *out, size_t size)
 {
     const murk_vdb *vdb = volume->vdb;
     size_t used = 0;
     out[0] = 0;
     for (int readable = 1; readable >= 0; readable--)
-        for (size_t i = 0; i < murk_vdb_count(vdb); i++) {
-            const murk_grid_info *info = murk_vdb_info(vdb, i);
-            if (info->readable != (bool)readable || used >= size)
-                continue;
-            used += (size_t)snprintf(out + used, size - used, "%s\"%.100s\"%s", used ? ", " : "",
-                                     info->name, readable ? "" : " (not scalar)");
-        }
+        for (int distance = 0; distance <= (name ? MURK_EDIT_DISTANCE_MAX : 0); distance++)
+            for (size_t i = 0; i < murk_vdb_count(vdb); i++) {
+                const murk_grid_info *info = murk_vdb_info(vdb, i);
+                if (info->readable == (bool)readable &&
+                    (!name || murk_edit_distance(name, info->name) == distance))
+                    used = list_name(info, out, size, used);
+            }
     if (used >= size)
         memcpy(out + size - 4, "...", 4);
 }
@@ -101,7 +142,7 @@ murk_status murk_volume_find(murk_context *context, const murk_volume *volume, c
             found = i;
     if (found == count) {
         char names[600];
-        murk_volume_list(volume, names, sizeof names);
+        murk_volume_list(volume, name, names, sizeof names);
         if (!count)
             return murk_fail(context, MURK_ERROR_INPUT, "%s: no grid \"%.100s\"; it has no grids",
                              murk_vdb_path(vdb), name);

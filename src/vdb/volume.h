@@ -17,13 +17,17 @@ enum { MURK_NO_GRID = -1 };
    damaged density must not make murk take another grid in silence. */
 int64_t murk_volume_choose(const murk_volume *volume);
 
+/* Whether a grid holds distances from a surface: a medium only where it is asked for. */
+bool murk_volume_is_level_set(const murk_grid_info *info);
+
 /* Number of the readable grid with a unique name, or of the first of several that share a name.
    Fails, naming the grids there are, for an unknown one. */
 murk_status murk_volume_find(murk_context *context, const murk_volume *volume, const char *name,
                              size_t *out);
 
-/* "a", "b", ...: the grids there are, readable ones first. */
-void murk_volume_list(const murk_volume *volume, char *out, size_t size);
+/* "a", "b", ...: the grids there are, readable ones first; among these, unless name is NULL, those
+   that are nearest to it. */
+void murk_volume_list(const murk_volume *volume, const char *name, char *out, size_t size);
 
 /* Fails where a grid cannot be read as a scalar field. */
 murk_status murk_volume_check(murk_context *context, const murk_volume *volume, size_t index);

@@ -55,6 +55,25 @@ vdb.write(path("empty.vdb"), grids=[empty])
 frustum = vdb.createFrustumTransform(taper=0.5, depth=1.0, xyzMin=(0, 0, 0), xyzMax=(8, 8, 8))
 vdb.write(path("frustum.vdb"), grids=[grid("density", smoke, frustum)])
 
+coarse = vdb.createLinearTransform([[0.2, 0, 0, 0], [0, 0.2, 0, 0], [0, 0, 0.2, 0], [0.05, 0.05, 0.05, 1]])
+ball = vdb.createLevelSetSphere(radius=0.4, center=(0.35, 0.35, 0.35), voxelSize=0.1)
+ball.name = "surface"
+mask = vdb.BoolGrid()
+mask.name = "mask"
+mask.transform = vdb.createLinearTransform(voxelSize=0.1)
+mask.fill((0, 0, 0), (EDGE - 1, EDGE - 1, EDGE - 1), True)
+vdb.write(path("odd.vdb"), grids=[
+    grid("density", smoke), grid("density", lambda r: 2 * smoke(r)), grid("", smoke), grid("", smoke),
+    grid("coarse", lambda r: 0.5, coarse), ball, mask])
+vdb.write(path("surface.vdb"), grids=[ball])
+vdb.write(path("flames.vdb"), grids=[grid("flames", smoke), grid("temperature", smoke)])
+mask.name = "points"
+vdb.write(path("points.vdb"), grids=[grid("density", smoke), mask])
+with open(path("points.vdb"), "rb") as whole:
+    known = whole.read()
+with open(path("points.vdb"), "wb") as unknown:  # a type that no one knows
+    unknown.write(known.replace(b"Tree_bool", b"Tree_pnts"))
+
 os.makedirs(path("puffs"), exist_ok=True)
 for frame in (1, 2, 4):  # puffs that grow; the third is missing, the fifth is no VDB
     vdb.write(path("puffs/puff.%04d.vdb" % frame),

@@ -47,6 +47,24 @@ static murk_image *take_band(const struct world *w, const char *name, const murk
     return image;
 }
 
+/* The channels of a picture can be told before it is taken. */
+static void assert_foreseen(const struct world *w, const murk_image *image,
+                            const murk_band_view *views, size_t count)
+{
+    static const int size[2] = {1, 1};
+    murk_image *foreseen = NULL;
+    assert_int_equal(murk_bands_picture(w->context, views, count, size, &foreseen), MURK_OK);
+    assert_int_equal(murk_image_channels(foreseen), murk_image_channels(image));
+    for (int c = 0; c < murk_image_channels(image); c++) {
+        bool found = false;
+        for (int d = 0; d < murk_image_channels(foreseen); d++)
+            found |=
+                !strcmp(murk_image_channel_name(foreseen, d), murk_image_channel_name(image, c));
+        assert_true(found);
+    }
+    murk_image_release(foreseen);
+}
+
 /* What a box of one temperature over ground and under a sky of the same looks like: nothing. */
 static void isothermal(void **state)
 {
@@ -171,6 +189,12 @@ static void colors(void **state)
     }
     murk_image *image = NULL;
     assert_int_equal(murk_render_bands(w[0].context, view, 4, &DOWN, NULL, &image), MURK_OK);
+    assert_foreseen(&w[0], image, view, 4);
+    murk_image *plain = NULL;
+    assert_int_equal(murk_render(w[0].context, &w[0].scene, w[0].solution, &DOWN, NULL, &plain),
+                     MURK_OK);
+    assert_foreseen(&w[0], plain, NULL, 0);
+    murk_image_release(plain);
     double a = 0;
     for (int n = 1; n < 4; n++) {
         char from[32], to[32];

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Writes the odd VDB files that pyopenvdb cannot: make_typed_vdbs FOLDER */
 #include <fstream>
+#include <iterator>
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <string>
@@ -22,6 +23,17 @@ static void write(const std::string &path, const GridCPtrVec &grids)
     io::File(path).write(grids);
 }
 
+/* Copies a file with all Tree_int32 made a type that no one knows. */
+static void write_unknown(const std::string &from, const std::string &to)
+{
+    std::ifstream input(from, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(input), {}};
+    const std::string known = "Tree_int32", unknown = "Tree_point";
+    for (size_t at; (at = bytes.find(known)) != std::string::npos;)
+        bytes.replace(at, known.size(), unknown);
+    std::ofstream(to, std::ios::binary) << bytes;
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2)
@@ -41,6 +53,16 @@ int main(int argc, char **argv)
     write(folder + "instance.vdb", several);
     std::ofstream stream(folder + "stream.vdb", std::ios::binary);
     io::Stream(stream).write(several);
+    stream.close();
+
+    const GridCPtrVec beside = {density, box<Int32Grid>("points", 1.0),
+                                box<FloatGrid>("smoke", 2.0), box<FloatGrid>("steam", 2.0)};
+    write(folder + "points.vdb", beside);
+    write_unknown(folder + "points.vdb", folder + "points.vdb");
+    std::ofstream behind(folder + "points_stream.vdb", std::ios::binary);
+    io::Stream(behind).write(beside);
+    behind.close();
+    write_unknown(folder + "points_stream.vdb", folder + "points_stream.vdb");
 
     write(folder + "precise_colours.vdb", {density, box<Vec3DGrid>("radiosity", 1.0)});
     auto velocity = box<Vec3SGrid>("velocity", 0.5);

@@ -111,6 +111,21 @@ def main(folder):
     sphere.name = "surface"
     write(folder, "beside", [velocity, mask, sphere, grid_of("smoke", ramp())])
 
+    ball = vdb.createLevelSetSphere(radius=10.0, center=(0.1, 0.2, 0.3), voxelSize=0.5)
+    ball.name = "surface"
+    write(folder, "ball", [ball])
+    named = ball.deepCopy()
+    named.name = "density"
+    write(folder, "named_ball", [named, grid_of("smoke", ramp())])
+    for name, last in (("filled", 127), ("overfilled", 4095)):
+        filled = vdb.FloatGrid(3.0)  # inside are inactive tiles of 128^3 and of 4096^3 voxels
+        filled.name = "surface"
+        filled.gridClass = vdb.GridClass.LEVEL_SET
+        filled.fill((0, 0, 0), (last, last, last), -3.0, False)
+        filled.getAccessor().setValueOn((128, 0, 0), 0.25)
+        filled.getAccessor().setValueOn((128, 0, 1), math.nan)
+        write(folder, name, [filled])
+
     write(folder, "flames", [grid_of("flames", ramp()), grid_of("temperature", ramp())])
     write(folder, "voxel_fog", [grid_of("temperature", ramp()),
                                 grid_of("voxel_fog_density", ramp())])

@@ -52,9 +52,19 @@ static void test_odd_grids(void **state)
         {"half_colours", "radiosity", "vec3s", "density", "vec3s", 576, 1, 0, 0},
         {"half_colours_stream", "density", "float", "density", NULL, 64, 0, 64, 0},
         {"coloured_frustum", "radiosity", "vec3s", "density", "frustum", 13824, 27, 0, 0},
-        {"beside", "mask", "bool", "smoke", "bool", 64, 0, 0, 0},
-        {"beside", "surface", "float", "smoke", "level set", 2070, 0, 0, 0},
-        {"int32", "density", "int32", NULL, "int32", 64, 0, 0, 0},
+        {"beside", "mask", "bool", "smoke", NULL, 64, 0, 64, 0},
+        {"beside", "surface", "float", "smoke", NULL, 2070, 0, 739, 0},
+        {"ball", "surface", "float", NULL, NULL, 30403, 0, 36088, 0},
+        {"named_ball", "density", "float", "smoke", NULL, 30403, 0, 36088, 0},
+        {"filled", "surface", "float", NULL, NULL, 2, 0, 2097152 + 2, 1},
+        {"overfilled", "surface", "float", NULL, "inside would fill 134217727", 2, 0, 0, 0},
+        {"int32", "density", "int32", NULL, NULL, 64, 0, 64, 0},
+        {"int32", "long", "int64", NULL, NULL, 64, 0, 64, 0},
+        {"points", "points", "point", "density", "of type point", 0, 0, 0, 0},
+        {"points", "smoke", "float", "density", NULL, 64, 0, 64, 0},
+        {"points_stream", "density", "float", "density", NULL, 64, 0, 64, 0},
+        {"points_stream", "points", "point", "density", "of type point", 0, 0, 0, 0},
+        {"points_stream", "?", "unknown", "density", "behind grid points", 0, 0, 0, 0},
         {"flames", "temperature", "float", "flames", NULL, 64, 0, 64, 0},
         {"voxel_fog", "temperature", "float", "voxel_fog_density", NULL, 64, 0, 64, 0},
         {"only", "Gas", "float", "Gas", NULL, 64, 0, 64, 0},
@@ -100,6 +110,21 @@ static void test_shipped(void **state)
     assert_true(info.readable && info.box_max[0] < info.box_min[0]);
     assert_int_equal(murk_volume_grid_info(volume, 5, &info), MURK_ERROR_INPUT);
     murk_volume_release(volume);
+}
+
+/* What cannot be read at all is told once, not for each frame again; vectors are no news. */
+static void test_skipped(void **state)
+{
+    static const struct {
+        const char *file;
+        int warnings;
+    } all[] = {{"points.vdb", 1}, {"points.vdb", 0},        {"half.vdb", 0},   {"points.vdb", 0},
+               {"beside.vdb", 0}, {"points_stream.vdb", 1}, {"frustum.vdb", 0}};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        warnings = 0;
+        murk_volume_release(read_volume(*state, odd(all[i].file)));
+        assert_int_equal(warnings, all[i].warnings);
+    }
 }
 
 /* The column sums of a 2 x 3 x 4 ramp of voxels 0.5 x 0.5 x 0.25: x is shortest with 4 * 0.25. */
@@ -285,6 +310,7 @@ int main(void)
         cmocka_unit_test(test_odd_grids),    cmocka_unit_test(test_shipped),
         cmocka_unit_test(test_depth),        cmocka_unit_test(test_round_trip),
         cmocka_unit_test(test_pass_through), cmocka_unit_test(test_failed_write),
+        cmocka_unit_test(test_skipped),
     };
     return cmocka_run_group_tests(tests, make_context, drop_context);
 }

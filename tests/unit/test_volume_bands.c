@@ -131,6 +131,36 @@ static void test_round_trip(void **state)
                     round_trip(*state, files[f], &all[i], half);
 }
 
+/* Bands on other voxels than the first: each goes to a grid of its own, R, G and B too where one
+   grid cannot hold them. */
+static void test_own_voxels(void **state)
+{
+    const bands b = {4, {"R", "G", "B", "LWIR"}, {1, 2, 3, 4}, false};
+    static const int other_of[] = {2, 3};
+    for (int n = 0; n < 2; n++) {
+        lit l = make_lit(*state, "active_zeros.vdb", &b), other = make_lit(*state, "half.vdb", &b);
+        const int k = other_of[n];
+        murk_solution *solution = l.solution[k];
+        murk_medium *medium = l.medium[k];
+        l.solution[k] = other.solution[k];
+        l.medium[k] = other.medium[k];
+        if (write_lit(&l, &b, odd("own_voxels.vdb"), false))
+            fail_msg("%s", murk_context_message(*state));
+        murk_volume *again = read_volume(*state, odd("own_voxels.vdb"));
+        bool coloured = false;
+        for (size_t i = 0; i < murk_vdb_count(again->vdb); i++)
+            coloured |= murk_vdb_components(again->vdb, i) == 3;
+        assert_int_equal(coloured, k == 3);
+        for (size_t i = 0; i < b.count; i++)
+            assert_band(*state, &l, again, i, b.name[i], 0);
+        murk_volume_release(again);
+        l.solution[k] = solution;
+        l.medium[k] = medium;
+        release_lit(&l);
+        release_lit(&other);
+    }
+}
+
 /* One band: a float radiosity, whose name, if there is one, is in the metadata. */
 static void test_one_band(void **state)
 {
@@ -243,7 +273,7 @@ static void test_refusals(void **state)
     assert_not_written(*state, &l, &lengthy, "a name has letters, digits, _ and -, 39 at most");
     lit mixed = l;
     mixed.solution[2] = other.solution[2];
-    assert_not_written(*state, &mixed, &good, "the bands R and LWIR are on different voxels");
+    assert_not_written(*state, &mixed, &good, "the bands R and LWIR are on different transforms");
     l.solution[1]->radiosity[0] = 70000; /* slot 0 counts, active or not */
     assert_int_equal(write_lit(&l, &good, odd("not_written.vdb"), true), MURK_ERROR_INPUT);
     assert_message(*state, "grid radiosity_G: 70000 is more than 16-bit floats hold");
@@ -258,7 +288,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_one_band),
         cmocka_unit_test(test_unknown_band), cmocka_unit_test(test_foreign_colours),
-        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_refusals),     cmocka_unit_test(test_own_voxels),
     };
     return cmocka_run_group_tests(tests, make_context, drop_context);
 }

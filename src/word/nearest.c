@@ -4,8 +4,6 @@
 #include <ctype.h>
 #include <string.h>
 
-enum { WORD_MAX = 48 };
-
 static int least(int a, int b)
 {
     return a < b ? a : b;
@@ -17,12 +15,12 @@ static int differ(char a, char b)
 }
 
 /* Optimal string alignment, three rows of its table at a time. */
-int scene_edit_distance(const char *a, const char *b)
+int murk_edit_distance(const char *a, const char *b)
 {
-    int rows[3][WORD_MAX + 1];
+    int rows[3][MURK_EDIT_DISTANCE_MAX + 1];
     int na = (int)strlen(a), nb = (int)strlen(b);
-    if (na > WORD_MAX || nb > WORD_MAX)
-        return WORD_MAX;
+    if (na > MURK_EDIT_DISTANCE_MAX || nb > MURK_EDIT_DISTANCE_MAX)
+        return MURK_EDIT_DISTANCE_MAX;
     for (int j = 0; j <= nb; j++)
         rows[0][j] = j;
     for (int i = 1; i <= na; i++) {
@@ -38,9 +36,9 @@ int scene_edit_distance(const char *a, const char *b)
     return rows[na % 3][nb];
 }
 
-void scene_nearest_offer(struct scene_nearest *nearest, const char *unknown, const char *known)
+void murk_nearest_offer(struct murk_nearest *nearest, const char *unknown, const char *known)
 {
-    int distance = scene_edit_distance(unknown, known);
+    int distance = murk_edit_distance(unknown, known);
     if (nearest->word && distance >= nearest->distance)
         return;
     nearest->word = known;

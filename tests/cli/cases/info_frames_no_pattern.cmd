@@ -1,0 +1,1 @@
+murk info fixtures/puff.vdb --frames 1-3

@@ -1,0 +1,1 @@
+murk info fixtures/odd.vdb --scale 1

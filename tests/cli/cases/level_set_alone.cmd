@@ -1,0 +1,1 @@
+murk image fixtures/surface.vdb -o a.exr

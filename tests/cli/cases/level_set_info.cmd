@@ -1,0 +1,1 @@
+murk info fixtures/surface.vdb --grid surface --scale 2

@@ -1,0 +1,1 @@
+murk solve fixtures/odd.vdb --grid densty -o a.vdb

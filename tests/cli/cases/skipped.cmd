@@ -1,0 +1,1 @@
+murk solve fixtures/points.vdb --scale 2 --threads 1 -o a.vdb

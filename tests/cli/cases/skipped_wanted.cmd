@@ -1,0 +1,1 @@
+murk solve fixtures/points.vdb --grid points -o a.vdb
