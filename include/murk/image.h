@@ -21,6 +21,10 @@ MURK_API murk_status murk_image_create(murk_context *context, int width, int hei
 /** Reads any image that OpenImageIO reads, as linear floats with its channel names and those of its
  *  attributes that are text. */
 MURK_API murk_status murk_image_read(murk_context *context, const char *path, murk_image **out);
+/** Copies the command that an image of murk's records (murk_image_write_options), "" where there is
+ *  none or it takes more than `size` bytes; the pixels are not read. Fails as murk_image_read(). */
+MURK_API murk_status murk_image_command(murk_context *context, const char *path, char *text,
+                                        size_t size);
 MURK_API void murk_image_release(murk_image *image);
 MURK_API int murk_image_width(const murk_image *image);
 MURK_API int murk_image_height(const murk_image *image);

@@ -66,6 +66,10 @@ typedef struct murk_grid_info {
  */
 MURK_API murk_status murk_volume_read(murk_context *context, const char *path, murk_volume **out);
 MURK_API void murk_volume_release(murk_volume *volume);
+/** Copies the command that a VDB of murk's records (murk_write_options), "" where there is none or
+ *  it takes more than `size` bytes; the grids are not read. Fails as murk_volume_read(). */
+MURK_API murk_status murk_volume_command(murk_context *context, const char *path, char *text,
+                                         size_t size);
 MURK_API size_t murk_volume_grid_count(const murk_volume *volume);
 /** Fills *out for the grid at index (0 <= index < count). */
 MURK_API murk_status murk_volume_grid_info(const murk_volume *volume, size_t index,
