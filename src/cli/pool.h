@@ -8,10 +8,11 @@
 
 /*
  * Runs the frames on `count` workers and tells of them in their order: what a frame printed on
- * standard output comes out in one piece after that of the frames before, lines of messages as they
- * come. Whoever is idle gets the next frame. One whose process is killed has failed; another
- * process takes its place. Fails with MURK_ERROR_MEMORY, or MURK_ERROR_INTERNAL where the system
- * has no more processes, and has told the user; what then was not run is in no tally.
+ * standard output comes out in one piece after that of the frames before; so do its messages, line
+ * by line once they have. Whoever is idle gets the next frame. One whose process is killed has
+ * failed; another process takes its place. Fails with MURK_ERROR_MEMORY, or MURK_ERROR_INTERNAL
+ * where the system has no more processes, and has told the user; what then was not run is in no
+ * tally.
  */
 murk_status cli_pool_run(const struct cli_crew *crew, size_t count, struct cli_job *job,
                          struct cli_tally *tally);

@@ -52,8 +52,8 @@ murk_status cli_tally_end(struct cli_tally *tally, struct cli_job *job, size_t c
     char list[LIST_SIZE];
     if (tally->skipped)
         cli_say(&job->terminal,
-                "%zu of %zu frames skipped: this command has made their outputs, from the inputs "
-                "that are there now",
+                "%zu of %zu frames skipped: their outputs are newer than their inputs, and made by "
+                "this command",
                 tally->skipped, count);
     if (tally->not_reached.count) {
         cli_frames_text(&tally->not_reached, list, sizeof list);

@@ -95,7 +95,8 @@ void cli_terminal_log(void *user, murk_log_level level, const char *text)
 static bool is_due(struct cli_terminal *terminal)
 {
     double now = cli_seconds();
-    if (!terminal->bar || now - terminal->drawn_at < REDRAW_SECONDS)
+    bool told = terminal->drawn || terminal->relay;
+    if (!terminal->bar || (told && now - terminal->drawn_at < REDRAW_SECONDS))
         return false;
     terminal->drawn_at = now;
     return true;

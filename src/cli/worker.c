@@ -83,7 +83,7 @@ static _Noreturn void be_worker(const struct cli_crew *crew, const struct channe
     _exit(EXIT_SUCCESS); /* what the starting process has to clean up is not for its copy */
 }
 
-bool cli_worker_start(const struct cli_crew *crew, const int *ends, size_t end_count,
+bool cli_worker_start(const struct cli_crew *crew, const struct pollfd *ends, size_t end_count,
                       struct cli_worker *out)
 {
     struct channels channels;
@@ -94,7 +94,7 @@ bool cli_worker_start(const struct cli_crew *crew, const int *ends, size_t end_c
     pid_t pid = fork();
     if (pid == 0) {
         for (size_t i = 0; i < end_count; i++)
-            close(ends[i]);
+            close(ends[i].fd);
         close_end(&channels, 0);
         be_worker(crew, &channels, parent);
     }

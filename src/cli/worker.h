@@ -6,6 +6,7 @@
 #include "frame.h"
 #include "frames.h"
 
+#include <poll.h>
 #include <sys/types.h>
 
 /* What a worker tells now and then of its frame, and at its end. */
@@ -32,11 +33,11 @@ struct cli_worker {
 };
 
 /*
- * Starts a worker; ends[] are all those ends that the starting process has, which the worker
+ * Starts a worker; ends[] are all those ends that the starting process has, whose files the worker
  * closes. The starting process must not have begun any threads. The worker ends when control is
  * closed, and when the process that started it ends. False where the system cannot.
  */
-bool cli_worker_start(const struct cli_crew *crew, const int *ends, size_t end_count,
+bool cli_worker_start(const struct cli_crew *crew, const struct pollfd *ends, size_t end_count,
                       struct cli_worker *out);
 
 /* Gives a worker the frame at an index; one that is no more is found out otherwise. */
