@@ -24,6 +24,10 @@ MURK_API murk_status murk_image_create(murk_context *context, int width, int hei
  *  attributes that are text; 8-bit formats lose their sRGB curve. Fails with MURK_ERROR_INPUT for a
  *  missing, damaged or foreign file. */
 MURK_API murk_status murk_image_read(murk_context *context, const char *path, murk_image **out);
+/** Copies the command that an image of murk's records (murk_image_write_options), "" where there is
+ *  none or it takes more than `size` bytes; the pixels are not read. Fails as murk_image_read(). */
+MURK_API murk_status murk_image_command(murk_context *context, const char *path, char *text,
+                                        size_t size);
 /** Releases an image and all that was borrowed from it; NULL is nothing. */
 MURK_API void murk_image_release(murk_image *image);
 /** Pixels in a row. */

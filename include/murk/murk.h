@@ -69,6 +69,10 @@ typedef struct murk_grid_info {
 MURK_API murk_status murk_volume_read(murk_context *context, const char *path, murk_volume **out);
 /** Releases a volume and the strings of its grids; NULL is nothing. */
 MURK_API void murk_volume_release(murk_volume *volume);
+/** Copies the command that a VDB of murk's records (murk_write_options), "" where there is none or
+ *  it takes more than `size` bytes; the grids are not read. Fails as murk_volume_read(). */
+MURK_API murk_status murk_volume_command(murk_context *context, const char *path, char *text,
+                                         size_t size);
 /** The number of grids. */
 MURK_API size_t murk_volume_grid_count(const murk_volume *volume);
 /** Fills *out for the grid at index (0 <= index < count). Fails with MURK_ERROR_INPUT beyond. */

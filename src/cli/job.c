@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "job.h"
 
+#include "jobs.h"
 #include "pattern.h"
 
 #include <errno.h>
@@ -45,7 +46,7 @@ murk_status cli_job_start(struct cli_job *job, const struct cli_options *options
                             .started = cli_seconds()};
     cli_terminal_init(&job->terminal, options->quiet, options->verbose);
     murk_context_options context = MURK_CONTEXT_DEFAULT;
-    context.threads = options->threads;
+    context.threads = cli_threads(options);
     context.kernel = options->kernel >= 0 ? CLI_KERNELS[options->kernel] : NULL;
     context.log = cli_terminal_log;
     context.progress = cli_terminal_progress;
@@ -228,9 +229,8 @@ murk_status cli_job_solve(struct cli_job *job)
         options.camera = &job->scene.camera; /* nothing else will see the solution */
     for (size_t n = 0; n < job->scene.band_count; n++)
         scenes[n] = job->scene.band[n].scene;
-    murk_status status = murk_solve_many(job->context, scenes, job->scene.band_count, &options,
-                                         (const murk_solution *const *)job->start, job->solution);
-    release_solutions(job->start);
+    murk_status status =
+        murk_solve_many(job->context, scenes, job->scene.band_count, &options, NULL, job->solution);
     cli_terminal_clear(&job->terminal);
     return cli_job_fail(job, status);
 }
@@ -295,14 +295,8 @@ murk_status cli_job_render(struct cli_job *job)
     return cli_job_fail(job, status);
 }
 
-void cli_job_next(struct cli_job *job, murk_status status)
+void cli_job_next(struct cli_job *job)
 {
-    if (cli_job_failed(status)) {
-        release_solutions(job->start);
-    } else if (job->solution[0] && strcmp(job->command, "render")) {
-        memcpy(job->start, job->solution, sizeof job->start);
-        memset(job->solution, 0, sizeof job->solution);
-    }
     murk_image_release(job->picture);
     release_solutions(job->solution);
     job->picture = NULL;
@@ -319,8 +313,7 @@ void cli_job_next(struct cli_job *job, murk_status status)
 int cli_job_end(struct cli_job *job, murk_status status)
 {
     cli_terminal_clear(&job->terminal);
-    cli_job_next(job, status);
-    release_solutions(job->start);
+    cli_job_next(job);
     murk_context_release(job->context);
     free(job->obscurant);
     return cli_exit_status(status);

@@ -18,7 +18,6 @@ struct cli_job {
     char *files[SCENE_FILE_MAX]; /* of the frame, where the description has patterns */
     char *obscurant;             /* of --obscurant, from the root */
     struct scene scene;
-    murk_solution *start[SCENE_BANDS_MAX];    /* of the frame before, until this one is solved */
     murk_solution *solution[SCENE_BANDS_MAX]; /* of the scene's bands */
     murk_image *picture;
     double started;
@@ -47,9 +46,8 @@ size_t cli_job_views(const struct cli_job *job, murk_band_view view[SCENE_BANDS_
 murk_status cli_job_solve(struct cli_job *job);
 murk_status cli_job_render(struct cli_job *job);
 
-/* Releases what a run came to, so that the next can begin. After a frame that did not fail, its
-   solution is where the next one starts. */
-void cli_job_next(struct cli_job *job, murk_status status);
+/* Releases what a run came to, so that the next can begin. */
+void cli_job_next(struct cli_job *job);
 
 /* Releases everything; gives the exit status for what the job came to. */
 int cli_job_end(struct cli_job *job, murk_status status);

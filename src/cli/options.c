@@ -15,26 +15,26 @@ struct parser {
     size_t size;
 };
 
-static const struct cli_option *find_option(const struct parser *parser, const char *name,
-                                            size_t length)
+/* The option of some commands that an argument names; *length is that of the name there. */
+static const struct cli_option *find_option(unsigned commands, const char *argument, size_t *length)
 {
     size_t count;
     const struct cli_option *table = cli_option_table(&count);
-    for (size_t i = 0; i < count; i++)
-        if ((table[i].commands & parser->command) && strlen(table[i].name) == length &&
-            !strncmp(table[i].name, name, length))
+    bool is_long = argument[1] == '-';
+    *length = is_long ? strcspn(argument, "=") : 2;
+    for (size_t i = 0; i < count; i++) {
+        const char *name = table[i].name;
+        if ((table[i].commands & commands) &&
+            (is_long ? strlen(name) == *length - 2 && !strncmp(name, argument + 2, *length - 2)
+                     : table[i].letter == argument[1]))
             return &table[i];
+    }
     return NULL;
 }
 
-static const struct cli_option *find_letter(const struct parser *parser, char letter)
+const struct cli_option *cli_option_named(const char *argument, size_t *length)
 {
-    size_t count;
-    const struct cli_option *table = cli_option_table(&count);
-    for (size_t i = 0; i < count; i++)
-        if ((table[i].commands & parser->command) && table[i].letter == letter)
-            return &table[i];
-    return NULL;
+    return find_option(CLI_ALL, argument, length);
 }
 
 static bool unknown_option(const struct parser *parser, const char *argument, size_t length)
@@ -72,9 +72,8 @@ static bool parse_option(const struct parser *parser, int count, char *const *ar
 {
     const char *argument = arguments[*at], *text = NULL;
     bool is_long = argument[1] == '-';
-    size_t length = is_long ? strcspn(argument, "=") : 2;
-    const struct cli_option *option =
-        is_long ? find_option(parser, argument + 2, length - 2) : find_letter(parser, argument[1]);
+    size_t length;
+    const struct cli_option *option = find_option(parser->command, argument, &length);
     if (!option)
         return unknown_option(parser, argument, length);
     if (argument[length])

@@ -52,6 +52,7 @@ struct cli_options {
 
     const char *frames;
     bool resume;
+    int jobs;
 
     const char *grid, *albedo, *bands, *obscurant;
     double scale, concentration, voxel_size;
@@ -102,6 +103,7 @@ struct cli_option {
     const char *const *choices; /* NULL-terminated */
     const char *files;          /* of a FILE: its usual extensions, "exr png"; NULL: any */
     const char *expected;       /* for messages: "a number > 0" */
+    bool aside;                 /* outputs are the same with it and without */
 };
 
 /* The table; *count rows in the order of the help text. */
@@ -109,6 +111,10 @@ const struct cli_option *cli_option_table(size_t *count);
 
 /* The choices of the options named after them. */
 extern const char *const CLI_KERNELS[], *const CLI_BENCH_PARTS[], *const CLI_AGAINST[];
+
+/* The option of any command that an argument such as "-o", "-ofile" or "--scale=2" names, and the
+   length of its name there; NULL: none. */
+const struct cli_option *cli_option_named(const char *argument, size_t *length);
 
 /* Reads the arguments after the command's name. False with the one line in message (of size
    bytes) where they are wrong. */

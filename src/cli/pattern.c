@@ -36,10 +36,23 @@ static size_t place_at(const char *text, int *digits)
     return 0;
 }
 
+/* The length of the folder at the start of a path that is there under just this name. */
+static size_t literal_part(const char *path)
+{
+    char *folder = strdup(path), *slash = folder;
+    size_t length = 0;
+    while (folder && !length && (slash = strrchr(folder, '/'))) {
+        *slash = '\0';
+        length = !access(folder, F_OK) ? (size_t)(slash - folder) : 0;
+    }
+    free(folder);
+    return length;
+}
+
 /* Where the first place begins; at the end of the path where it has none. */
 static size_t first_place(const char *path)
 {
-    size_t at = 0;
+    size_t at = literal_part(path);
     int digits;
     while (path[at] && !place_at(path + at, &digits))
         at++;
@@ -59,10 +72,12 @@ bool cli_pattern_is_input(const char *path)
 char *cli_pattern_expand(const char *path, int frame)
 {
     char *expanded = NULL;
-    size_t size;
+    size_t size, literal = literal_part(path);
     FILE *stream = open_memstream(&expanded, &size);
     if (!stream)
         return NULL;
+    fwrite(path, 1, literal, stream);
+    path += literal;
     while (*path) {
         int digits;
         size_t length = place_at(path, &digits);
@@ -82,11 +97,12 @@ char *cli_pattern_expand(const char *path, int frame)
 static char *wildcard(const char *path)
 {
     char *result = malloc(2 * strlen(path) + 1), *end = result;
+    const char *places = path + literal_part(path);
     if (!result)
         return NULL;
     while (*path) {
         int digits;
-        size_t length = place_at(path, &digits);
+        size_t length = path < places ? 0 : place_at(path, &digits);
         if (!length && strchr("*?[]\\", *path))
             *end++ = '\\';
         *end++ = length ? '*' : *path;

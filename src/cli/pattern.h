@@ -4,7 +4,9 @@
  *   ####          with as many digits at least as there are #
  *   %04d, %d      with 4 digits at least, with as many as it takes
  *   $F4, $F       the same; a letter behind makes it a variable of another name
- * in all places alike. A minus sign counts as a digit, as for printf's %04d.
+ * in all places alike, those in the names of folders too. What is there under just its name is
+ * meant by that name: /proj#1/plume.####.vdb has one place where there is a folder /proj#1. A minus
+ * sign counts as a digit, as for printf's %04d.
  */
 #ifndef CLI_PATTERN_H
 #define CLI_PATTERN_H

@@ -207,10 +207,10 @@ void cli_report_json(const struct cli_job *job, murk_status status)
     cli_print_json(object);
 }
 
-void cli_report_frame(const struct cli_job *job, const char *status, const char *text)
+void cli_report_frame(int frame, const char *status, const char *text)
 {
     json_t *object = json_object();
-    json_object_set_new(object, "frame", json_integer(*job->frame));
+    json_object_set_new(object, "frame", json_integer(frame));
     json_object_set_new(object, "status", json_string(status));
     if (text)
         json_object_set_new(object, "message", cli_json_text(text));

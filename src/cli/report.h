@@ -14,7 +14,7 @@ void cli_report_say(struct cli_job *job, murk_status status);
 void cli_report_json(const struct cli_job *job, murk_status status);
 
 /* Prints the line of a frame without a report: its status and why (text may be NULL). */
-void cli_report_frame(const struct cli_job *job, const char *status, const char *text);
+void cli_report_frame(int frame, const char *status, const char *text);
 
 /* Prints and releases an object. */
 void cli_print_json(json_t *object);

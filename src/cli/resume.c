@@ -2,6 +2,7 @@
 #include "resume.h"
 
 #include "paths.h"
+#include "recorded.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -36,6 +37,22 @@ static bool take_scene_files(struct cli_job *job, struct timespec *newest)
     return found;
 }
 
+/* Whether the command that is running made an output; it asks each file that can tell. */
+static bool made_by_this(struct cli_job *job, const char *path)
+{
+    char *line = malloc(CLI_RECORD_SIZE);
+    if (!line)
+        return false;
+    cli_recorded(job->context, path, line);
+    bool same = cli_recorded_same(line, job->command_line);
+    if (!same && job->options->verbose)
+        cli_say(&job->terminal, "%s: %s%s; made again", path,
+                *line ? "was made by another command: " : "does not tell the command that made it",
+                line);
+    free(line);
+    return same;
+}
+
 bool cli_resume_done(struct cli_job *job)
 {
     struct cli_options options = *job->options;
@@ -52,5 +69,8 @@ bool cli_resume_done(struct cli_job *job)
         if (!list[i].input && (stat(*list[i].text, &info) || !is_later(&info.st_mtim, &newest)))
             return false;
     }
+    for (size_t i = 0; i < count; i++)
+        if (!list[i].input && !made_by_this(job, *list[i].text))
+            return false;
     return true;
 }

@@ -5,8 +5,9 @@
 
 #include "job.h"
 
-/* Whether all outputs of a described job are there and newer than all of its inputs. An output that
-   is there is complete: murk renames it into place. */
+/* Whether all outputs of a described job are there, newer than all of its inputs, and made by the
+   command that is running, as they themselves tell. An output that is there is complete: murk
+   renames it into place. */
 bool cli_resume_done(struct cli_job *job);
 
 #endif

@@ -16,8 +16,10 @@ struct cli_steps {
 };
 
 /*
- * Runs the steps on what the options ask for. The frames of a sequence run one after another, each
- * solve starting from the frame before; one that fails does not stop the others. Gives the exit
+ * Runs the steps on what the options ask for. The frames of a sequence run in processes of their
+ * own, some at once, unless there is a last step, for which they run here one after another. None
+ * depends on another, so that the result is the same whatever runs at once, is left out or has been
+ * made before; one that fails, or whose process is killed, does not stop the others. Gives the exit
  * status: of a sequence the worst, where a failure of the system is worse than bad input, which is
  * worse than a tolerance that is not reached.
  */

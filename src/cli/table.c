@@ -72,13 +72,13 @@ static const struct cli_option TABLE[] = {
      "what the curves are drawn against: frame (the default), or transmittance, depth (optical) or "
      "cl of the lines of sight to the target",
      CHOICE(against, CLI_AGAINST)},
-    {"json", 0, CLI_ALL, OUTPUT, NULL, "print the report as JSON on standard output", FLAG(json)},
+    {"json", 0, CLI_ALL, OUTPUT, NULL, "print the report as JSON on standard output", FLAG(json),
+     .aside = true},
 
     {"frames", 0, WORKING, SEQUENCE, "LIST",
      "the frames to run: 1-100, 1-100x2 or 1,3,10-20; not given: all that there are of the first "
-     "input with a pattern; one that fails does not stop the others; each solve starts from the "
-     "frame before, so a sequence run in parts differs within the tolerance",
-     TEXT(frames)},
+     "input with a pattern; one that fails does not stop the others",
+     TEXT(frames), .aside = true},
     {"frames", 0, CLI_INFO, SEQUENCE, "LIST",
      "the frames to tell about: 1-100, 1-100x2 or 1,3,10-20; not given: all that there are; one "
      "that fails does not stop the others",
@@ -88,7 +88,15 @@ static const struct cli_option TABLE[] = {
      "fails does not stop the others",
      TEXT(frames)},
     {"resume", 0, WORKING, SEQUENCE, NULL,
-     "skip frames whose outputs are there and newer than their inputs", FLAG(resume)},
+     "skip frames whose outputs are there, newer than their inputs, and made by this command with "
+     "these options",
+     FLAG(resume), .aside = true},
+    {"jobs", 0, WORKING, SEQUENCE, "N",
+     "frames to run at once, each on its part of the threads; not given: what ends first and "
+     "memory "
+     "holds",
+     .value = cli_value_count, FIELD(jobs), WHOLE(1, 4096, "a whole number from 1 to 4096"),
+     .aside = true},
 
     {"grid", 0, CLI_VOLUME, MEDIUM, "NAME", "the grid to take the extinction from", TEXT(grid)},
     {"scale", 0, CLI_VOLUME, MEDIUM, "S",
@@ -208,12 +216,13 @@ static const struct cli_option TABLE[] = {
     {"extinction-grid", 0, SOLVING, GRIDS, NULL, "add extinction [1/m]", FLAG(extinction_grid)},
     {"albedo-grid", 0, SOLVING, GRIDS, NULL, "add albedo", FLAG(albedo_grid)},
 
-    {"threads", 0, CLI_ALL, GENERAL, "N", "threads (all processors)", .value = cli_value_count,
-     FIELD(threads), WHOLE(1, 4096, "a whole number from 1 to 4096")},
+    {"threads", 0, CLI_ALL, GENERAL, "N", "threads in all (OMP_NUM_THREADS, or all processors)",
+     .value = cli_value_count, FIELD(threads), WHOLE(1, 4096, "a whole number from 1 to 4096"),
+     .aside = true},
     {"kernel", 0, CLI_ALL & ~(CLI_INFO | CLI_CONTRAST), GENERAL, "K",
      "avx512, avx2 or portable; the fastest that this processor has", CHOICE(kernel, CLI_KERNELS)},
-    {"quiet", 'q', CLI_ALL, GENERAL, NULL, "print errors only", FLAG(quiet)},
-    {"verbose", 'v', CLI_ALL, GENERAL, NULL, "tell more", FLAG(verbose)},
+    {"quiet", 'q', CLI_ALL, GENERAL, NULL, "print errors only", FLAG(quiet), .aside = true},
+    {"verbose", 'v', CLI_ALL, GENERAL, NULL, "tell more", FLAG(verbose), .aside = true},
     {"help", 'h', CLI_ALL, GENERAL, NULL, "print this text", FLAG(help)},
 };
 

@@ -36,8 +36,9 @@ static bool open_range(const struct cli_job *job)
     return job->options->show && isnan(job->options->range[0]);
 }
 
-void cli_unsteady_warn(struct cli_job *job)
+void cli_unsteady_text(const struct cli_job *job, char text[CLI_UNSTEADY_SIZE])
 {
+    *text = '\0';
     if (job->scene.band_count == 0)
         return;
     const char *const open[] = {
@@ -47,12 +48,8 @@ void cli_unsteady_warn(struct cli_job *job)
         open_exposure(job) ? "exposure (--exposure)" : NULL,
         open_range(job) ? "range of the scale bar (--range)" : NULL,
     };
-    char list[160] = "";
     for (size_t i = 0; i < sizeof open / sizeof *open; i++)
         if (open[i])
-            snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", *list ? ", " : "",
-                     open[i]);
-    if (*list)
-        cli_say(&job->terminal,
-                "warning: chosen for this frame alone, so the sequence may jump: %s", list);
+            snprintf(text + strlen(text), CLI_UNSTEADY_SIZE - strlen(text), "%s%s",
+                     *text ? ", " : "", open[i]);
 }

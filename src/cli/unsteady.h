@@ -5,8 +5,10 @@
 
 #include "job.h"
 
-/* Warns where what a finished frame did not set was chosen from its medium alone, so that a film
-   may jump; names what sets it. */
-void cli_unsteady_warn(struct cli_job *job);
+enum { CLI_UNSTEADY_SIZE = 160 };
+
+/* Lists what a finished frame did not set, so that it was chosen from its medium alone and a film
+   may jump, each with what sets it; "" where there is no such thing. */
+void cli_unsteady_text(const struct cli_job *job, char text[CLI_UNSTEADY_SIZE]);
 
 #endif

@@ -49,14 +49,26 @@ murk_status murk_output_check(murk_context *context, const char *path)
     return status == MURK_OK ? murk_beside_check(context, path) : status;
 }
 
-murk_status murk_image_read(murk_context *context, const char *path, murk_image **out)
+static murk_status check_readable(murk_context *context, const char *path)
 {
     struct stat what;
     if (stat(path, &what) != 0 || access(path, R_OK) != 0)
         return murk_fail(context, MURK_ERROR_INPUT, "%s: cannot read: %s", path, strerror(errno));
     if (S_ISDIR(what.st_mode))
         return murk_fail(context, MURK_ERROR_INPUT, "%s: is a folder, not an image", path);
-    return murk_oiio_read(context, path, out);
+    return MURK_OK;
+}
+
+murk_status murk_image_read(murk_context *context, const char *path, murk_image **out)
+{
+    murk_status status = check_readable(context, path);
+    return status == MURK_OK ? murk_oiio_read(context, path, out) : status;
+}
+
+murk_status murk_image_command(murk_context *context, const char *path, char *text, size_t size)
+{
+    murk_status status = check_readable(context, path);
+    return status == MURK_OK ? murk_oiio_command(context, path, text, size) : status;
 }
 
 /* The file's bytes, from malloc. */

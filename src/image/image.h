@@ -60,6 +60,10 @@ typedef struct murk_oiio_pixels {
 murk_status murk_oiio_read(murk_context *context, const char *path,
                            murk_image **out) MURK_IMAGE_NOEXCEPT;
 
+/* The text of an image file's "murk:command", "" where there is none or it is too long. */
+murk_status murk_oiio_command(murk_context *context, const char *path, char *text,
+                              size_t size) MURK_IMAGE_NOEXCEPT;
+
 /* The bytes of an image file in the format of path's extension, in *bytes from malloc. */
 murk_status murk_oiio_encode(murk_context *context, const char *path,
                              const murk_oiio_pixels *pixels, void **bytes,

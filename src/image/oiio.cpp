@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -113,6 +114,17 @@ murk_status read_image(murk_context *context, const char *path, murk_image **out
     return status;
 }
 
+murk_status read_command(murk_context *context, const char *path, char *text, size_t size)
+{
+    std::unique_ptr<OIIO::ImageInput> file = OIIO::ImageInput::open(path);
+    if (!file)
+        return murk_fail(context, MURK_ERROR_INPUT, "%s: %s", path,
+                         one_line(OIIO::geterror()).c_str());
+    std::string command = file->spec().get_string_attribute("murk:command");
+    std::snprintf(text, size, "%s", command.size() < size ? command.c_str() : "");
+    return MURK_OK;
+}
+
 OIIO::ImageSpec output_spec(const murk_oiio_pixels &pixels)
 {
     OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels,
@@ -196,6 +208,12 @@ murk_status text_cover(murk_context *context, const char *font, const char *text
 murk_status murk_oiio_read(murk_context *context, const char *path, murk_image **out) noexcept
 {
     return guard(context, path, [&] { return read_image(context, path, out); });
+}
+
+murk_status murk_oiio_command(murk_context *context, const char *path, char *text,
+                              size_t size) noexcept
+{
+    return guard(context, path, [&] { return read_command(context, path, text, size); });
 }
 
 murk_status murk_oiio_encode(murk_context *context, const char *path,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Lists of frames, and paths that stand for the files of a sequence. */
 #include "check.h"
+#include "jobs.h"
 #include "pattern.h"
 
 #include <sys/stat.h>
@@ -209,13 +210,35 @@ static void frames_on_disk(void **state)
     leave_folder(NAMES, folder);
 }
 
+static void check_jobs(size_t count, int threads, double frame_bytes, int expected)
+{
+    const struct cli_options none = {0};
+    assert_int_equal(cli_jobs(&none, count, threads, frame_bytes), expected);
+}
+
+static void jobs(void **state)
+{
+    (void)state;
+    check_jobs(100, 1, 1, 1);
+    check_jobs(1, 2, 1, 1);
+    check_jobs(2, 2, 1, 2);
+    check_jobs(3, 2, 1, 1); /* two rounds of one thread each take longer than three of both */
+    check_jobs(100, 2, 1, 2);
+    check_jobs(8, 64, 1, 8);
+    check_jobs(100, 64, 1, 50); /* in two rounds, as 64 at once would */
+    check_jobs(100, 64, 1e18, 1);
+    assert_int_equal(cli_jobs(&(struct cli_options){.jobs = 7}, 100, 2, 1e18), 7);
+    assert_int_equal(cli_jobs(&(struct cli_options){.jobs = 7}, 3, 2, 1), 3);
+    assert_int_equal(cli_threads(&(struct cli_options){.threads = 5}), 5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lists),          cmocka_unit_test(repeated_frames),
         cmocka_unit_test(bad_lists),      cmocka_unit_test(texts),
         cmocka_unit_test(paths),          cmocka_unit_test(plain_paths),
-        cmocka_unit_test(frames_on_disk),
+        cmocka_unit_test(frames_on_disk), cmocka_unit_test(jobs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
