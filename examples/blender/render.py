@@ -28,6 +28,8 @@ def parse():
     parser.add_argument("--multiple-scattering", action="store_true",
                         help="leave the radiosity alone and trace paths from sun and sky")
     parser.add_argument("--samples", type=int, default=64, help="for each pixel (64)")
+    parser.add_argument("--step-rate", type=float, default=1,
+                        help="edge of a step through the medium, in voxels (1)")
     parser.add_argument("--seed", type=int, default=0, help="of the noise (0)")
     parser.add_argument("--voxels", choices=("center", "corner"),
                         help="what a voxel's index is, if not what the file says")
@@ -73,6 +75,8 @@ def make_scene(arguments, description):
     kappa = kappa_of(arguments.radiosity, metadata)
     scene = stage.empty_scene()
     if arguments.multiple_scattering:
+        if "sun" not in description:
+            sys.exit(f"{arguments.scene}: names no sun; it needs one to scatter light of")
         material = stage.scattering_material(name, kappa, medium.get("albedo", 0.9))
         stage.add_light(scene, description)
     else:
@@ -81,10 +85,10 @@ def make_scene(arguments, description):
     if (arguments.voxels or metadata["voxels"]) == "center":
         # Blender 3.4 draws the voxel (i, j, k) as the cell [i, i + 1] x ...
         volume.location = -half_voxel(pyopenvdb.readGridMetadata(arguments.radiosity, name))
-    camera = description["camera"]
+    scene.cycles.volume_step_rate = arguments.step_rate
     if arguments.size:
-        camera["size"] = [int(edge) for edge in arguments.size.split("x")]
-    stage.add_camera(scene, camera)
+        description["camera"]["size"] = [int(edge) for edge in arguments.size.split("x")]
+    stage.add_camera(scene, description)
     return scene
 
 

@@ -7,12 +7,13 @@ Module of render.py and ../cycles/render.py. Pictures hold the medium alone, R,G
 import json
 import math
 import os
+import sys
 import time
 
 import bpy
 import numpy
 import pyopenvdb
-from mathutils import Vector
+from mathutils import Matrix, Vector
 
 
 def read_scene(path):
@@ -141,7 +142,8 @@ def add_light(scene, description):
     sun.energy, sun.angle = 1, 0
     sun.color = in_bands(description, "sun", "irradiance")
     place = bpy.data.objects.new("sun", sun)
-    place.rotation_euler = look(Vector(description["sun"]["direction"]))
+    along = Vector(description["sun"]["direction"])
+    place.rotation_euler = along.to_track_quat("-Z", "Y").to_euler()
     scene.collection.objects.link(place)
     scene.world = bpy.data.worlds.new("sky")
     scene.world.use_nodes = True
@@ -151,19 +153,22 @@ def add_light(scene, description):
 
 
 def add_camera(scene, description):
+    given = description.get("camera", {})
+    missing = [key for key in ("eye", "target", "fov", "size") if key not in given]
+    if missing:
+        sys.exit("the scene's camera has no " + ", ".join(missing))
     camera = bpy.data.cameras.new("camera")
-    camera.sensor_fit, camera.angle = "VERTICAL", math.radians(description["fov"])
+    camera.sensor_fit, camera.angle = "VERTICAL", math.radians(given["fov"])
     place = bpy.data.objects.new("camera", camera)
-    place.location = description["eye"]
-    place.rotation_euler = look(Vector(description["target"]) - Vector(description["eye"]))
+    place.location = given["eye"]
+    back = (Vector(given["eye"]) - Vector(given["target"])).normalized()
+    up = given.get("up", (0, 1, 0) if description.get("up") == "y" else (0, 0, 1))
+    right = Vector(up).cross(back).normalized()
+    place.rotation_euler = Matrix((right, back.cross(right), back)).transposed().to_euler()
     scene.collection.objects.link(place)
     scene.camera = place
-    scene.render.resolution_x, scene.render.resolution_y = description["size"]
+    scene.render.resolution_x, scene.render.resolution_y = given["size"]
     scene.render.resolution_percentage = 100
-
-
-def look(along):
-    return along.to_track_quat("-Z", "Y").to_euler()
 
 
 def empty_scene():

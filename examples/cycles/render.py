@@ -27,7 +27,7 @@ def make_scene(path, split, out):
     stage.add_volume(volume, stage.scattering_material(extinction["grid"], extinction["scale"],
                                                        medium["albedo"]))
     stage.add_light(scene, description)
-    stage.add_camera(scene, description["camera"])
+    stage.add_camera(scene, description)
     return scene
 
 

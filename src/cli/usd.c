@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "usd.h"
 
+#include "usd_light.h"
 #include "usd_text.h"
 
 #include <errno.h>
@@ -15,60 +16,6 @@ struct stage {
     const char *asset;         /* its path, from the stage's folder */
     FILE *stream;
 };
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
-static void normalize(double v[3])
-{
-    const double length = sqrt(dot(v, v));
-    for (int i = 0; i < 3; i++)
-        v[i] /= length;
-}
-
-/* Axes of a camera or light, which look along their -z. */
-static void look(const double along[3], const double up[3], double axes[3][3])
-{
-    for (int i = 0; i < 3; i++)
-        axes[2][i] = -along[i];
-    normalize(axes[2]);
-    cross(up, axes[2], axes[0]);
-    normalize(axes[0]);
-    cross(axes[2], axes[0], axes[1]);
-}
-
-/* A value of each band as red, green and blue: that of the bands R, G and B, else the first. */
-static void in_colour(const struct scene *scene, double (*take)(const murk_scene *), double out[3])
-{
-    static const char *const NAMES[] = {"R", "G", "B"};
-    int found = 0;
-    out[0] = out[1] = out[2] = take(&scene->band[0].scene);
-    for (int c = 0; c < 3; c++)
-        for (size_t n = 0; n < scene->band_count; n++)
-            found += scene->band[n].name && !strcmp(scene->band[n].name, NAMES[c]);
-    for (int c = 0; c < 3 && found == 3; c++)
-        for (size_t n = 0; n < scene->band_count; n++)
-            if (!strcmp(scene->band[n].name, NAMES[c]))
-                out[c] = take(&scene->band[n].scene);
-}
-
-static double sun_irradiance(const murk_scene *scene)
-{
-    return scene->sun.irradiance;
-}
-
-static double sky_radiance(const murk_scene *scene)
-{
-    return scene->sky_radiance;
-}
 
 static void write_head(const struct stage *stage)
 {
@@ -217,60 +164,6 @@ static void write_volume(const struct stage *stage)
     fputs("    }\n", s);
 }
 
-static void write_camera(const struct stage *stage)
-{
-    static const double aperture = 24.0; /* only its ratio to the focal length counts */
-    const murk_camera *camera = &stage->job->scene.camera;
-    FILE *s = stage->stream;
-    double along[3], axes[3][3];
-    for (int i = 0; i < 3; i++)
-        along[i] = camera->target[i] - camera->eye[i];
-    look(along, camera->up, axes);
-    const double distance = sqrt(dot(along, along));
-    fputs("\n    def Camera \"Camera\"\n    {\n", s);
-    fprintf(s, "        float2 clippingRange = (%.9g, %.9g)\n", 1e-3 * distance, 1e3 * distance);
-    fprintf(s, "        float focalLength = %.9g\n",
-            0.5 * aperture / tan(camera->fov * acos(-1.0) / 360.0));
-    fprintf(s, "        float horizontalAperture = %.9g\n",
-            aperture * camera->size[0] / camera->size[1]);
-    fprintf(s, "        float verticalAperture = %.9g\n", aperture);
-    cli_usd_transform(s, axes, camera->eye);
-    fputs("    }\n", s);
-}
-
-static void write_colour(FILE *s, const double colour[3], const char *text)
-{
-    fputs("        color3f inputs:color = ", s);
-    cli_usd_vector(s, colour);
-    fprintf(s, " (\n            doc = \"%s\"\n        )\n        float inputs:intensity = 1\n",
-            text);
-}
-
-/* Sun and sky: for other things in the stage, since the radiosity holds their light already. */
-static void write_lights(const struct stage *stage)
-{
-    static const double ORIGIN[3] = {0}, Y[3] = {0, 1, 0}, X[3] = {1, 0, 0};
-    const struct scene *scene = &stage->job->scene;
-    const double *direction = scene->band[0].scene.sun.direction;
-    FILE *s = stage->stream;
-    double colour[3], axes[3][3];
-    in_colour(scene, sun_irradiance, colour);
-    if (fmax(colour[0], fmax(colour[1], colour[2])) > 0.0) {
-        look(direction, fabs(direction[1]) > 0.9 * sqrt(dot(direction, direction)) ? X : Y, axes);
-        fputs("\n    def DistantLight \"Sun\"\n    {\n        float inputs:angle = 0\n", s);
-        write_colour(s, colour, "irradiance across the beam [W/m^2]");
-        fputs("        bool inputs:normalize = 1\n", s);
-        cli_usd_transform(s, axes, ORIGIN);
-        fputs("    }\n", s);
-    }
-    in_colour(scene, sky_radiance, colour);
-    if (fmax(colour[0], fmax(colour[1], colour[2])) > 0.0) {
-        fputs("\n    def DomeLight \"Sky\"\n    {\n", s);
-        write_colour(s, colour, "radiance [W/m^2/sr]");
-        fputs("    }\n", s);
-    }
-}
-
 static murk_status fail(struct cli_job *job, const char *path, const char *reason)
 {
     cli_error(&job->terminal, "%s: cannot be written: %s", path, reason);
@@ -291,8 +184,8 @@ murk_status cli_usd_write(struct cli_job *job, const char *path, const char *vdb
         const struct stage stage = {job, volume, asset, stream};
         write_head(&stage);
         write_volume(&stage);
-        write_camera(&stage);
-        write_lights(&stage);
+        cli_usd_camera(stream, &job->scene.camera);
+        cli_usd_lights(stream, &job->scene);
         fputs("}\n", stream);
     }
     if (!stream || fclose(stream))
