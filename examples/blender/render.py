@@ -27,7 +27,7 @@ def parse():
     parser.add_argument("out", help="the picture, as .exr")
     parser.add_argument("--multiple-scattering", action="store_true",
                         help="leave the radiosity alone and trace paths from sun and sky")
-    parser.add_argument("--samples", type=int, default=64, help="for each pixel (64)")
+    parser.add_argument("--samples", type=int, default=16, help="for each pixel (16)")
     parser.add_argument("--step-rate", type=float, default=1,
                         help="edge of a step through the medium, in voxels (1)")
     parser.add_argument("--seed", type=int, default=0, help="of the noise (0)")
