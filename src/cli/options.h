@@ -48,6 +48,7 @@ struct cli_list {
 struct cli_options {
     const char *input;
     const char *output, *preview, *ground_radiosity;
+    const char *usd;
     const char *radiosity; /* image: written; render: read */
 
     const char *frames;

@@ -2,12 +2,13 @@
 #include "output.h"
 
 #include "show.h"
+#include "usd.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum output_kind { PICTURE, RADIOSITY, GROUND };
+enum output_kind { PICTURE, RADIOSITY, GROUND, STAGE };
 
 struct output {
     const char *option; /* "--preview" */
@@ -15,7 +16,15 @@ struct output {
     enum output_kind kind;
 };
 
-enum { OUTPUT_COUNT = 4 };
+enum { OUTPUT_COUNT = 5 };
+
+/* The radiosity VDB that the run writes, or NULL. */
+static const char *radiosity_path(const struct cli_job *job)
+{
+    if (!strcmp(job->command, "solve"))
+        return job->options->output;
+    return strcmp(job->command, "image") ? NULL : job->options->radiosity;
+}
 
 /* In the order of writing: what took longest first, the pictures last. */
 static void list_outputs(const struct cli_job *job, struct output list[OUTPUT_COUNT])
@@ -26,6 +35,7 @@ static void list_outputs(const struct cli_job *job, struct output list[OUTPUT_CO
     list[1] = (struct output){"--ground-radiosity", options->ground_radiosity, GROUND};
     list[2] = (struct output){"-o", options->output, solve ? RADIOSITY : PICTURE};
     list[3] = (struct output){"--preview", options->preview, PICTURE};
+    list[4] = (struct output){"--usd", options->usd, STAGE};
 }
 
 static murk_status usage_error(struct cli_job *job, const struct output *output, const char *text)
@@ -57,6 +67,31 @@ static murk_status check_image(struct cli_job *job, const struct output *output)
     return MURK_OK;
 }
 
+static murk_status check_stage(struct cli_job *job, const struct output *output)
+{
+    const char *vdb = radiosity_path(job);
+    if (!cli_has_extension(output->path, ".usda"))
+        return usage_error(job, output, "is not a .usda file; the stage is written as text");
+    if (!vdb || !strcmp(vdb, "-"))
+        return usage_error(job, output,
+                           strcmp(job->command, "solve")
+                               ? "a stage refers to a radiosity file; name it with --radiosity"
+                               : "a stage refers to a radiosity file; name it with -o");
+    return cli_job_fail(job, murk_file_check(job->context, output->path));
+}
+
+static murk_status check_output(struct cli_job *job, const struct output *output)
+{
+    switch (output->kind) {
+    case RADIOSITY:
+        return check_radiosity(job, output);
+    case STAGE:
+        return check_stage(job, output);
+    default:
+        return check_image(job, output);
+    }
+}
+
 murk_status cli_output_check(struct cli_job *job)
 {
     struct output list[OUTPUT_COUNT];
@@ -69,12 +104,11 @@ murk_status cli_output_check(struct cli_job *job)
     for (int i = 0; i < OUTPUT_COUNT; i++) {
         if (!list[i].path)
             continue;
-        murk_status status =
-            list[i].kind == RADIOSITY ? check_radiosity(job, &list[i]) : check_image(job, &list[i]);
+        murk_status status = check_output(job, &list[i]);
         for (int j = 0; j < i && status == MURK_OK; j++)
             if (list[j].path && !strcmp(list[i].path, list[j].path))
                 status = usage_error(job, &list[i], "is the same file as another output");
-        if (status == MURK_OK)
+        if (status == MURK_OK && list[i].kind != STAGE)
             status = cli_job_fail(job, murk_output_check(job->context, list[i].path));
         if (status != MURK_OK)
             return status;
@@ -150,6 +184,8 @@ static murk_status write_output(struct cli_job *job, const murk_image *shown,
         return write_radiosity(job, output->path);
     case GROUND:
         return write_ground(job, output->path);
+    case STAGE:
+        return cli_usd_write(job, output->path, radiosity_path(job));
     default:
         return write_picture(job, shown, output->path);
     }

@@ -60,6 +60,8 @@ static void say_outputs(struct cli_job *job)
         cli_say(&job->terminal, "radiosity in %s", options->radiosity);
     if (options->ground_radiosity)
         cli_say(&job->terminal, "ground radiosity in %s", options->ground_radiosity);
+    if (options->usd)
+        cli_say(&job->terminal, "stage in %s", options->usd);
 }
 
 /* A scale that murk chose by itself is no secret. */
@@ -189,6 +191,7 @@ void cli_report_json(const struct cli_job *job, murk_status status)
     json_object_set_new(outputs, "preview", cli_json_text(options->preview));
     json_object_set_new(outputs, "radiosity", cli_json_text(render ? NULL : options->radiosity));
     json_object_set_new(outputs, "ground_radiosity", cli_json_text(options->ground_radiosity));
+    json_object_set_new(outputs, "usd", cli_json_text(options->usd));
     json_object_set_new(object, "murk", json_string(MURK_VERSION));
     json_object_set_new(object, "command", cli_json_text(job->command_line));
     if (job->frame)

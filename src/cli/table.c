@@ -56,6 +56,10 @@ static const struct cli_option TABLE[] = {
     {"ground-radiosity", 0, SOLVING, OUTPUT, "FILE",
      "the radiosity of the ground patches [W/m^2] as .exr, one pixel a patch",
      PATH(ground_radiosity, "exr")},
+    {"usd", 0, CLI_IMAGE | CLI_SOLVE, OUTPUT, "FILE",
+     "a USD stage of the radiosity .vdb, the camera and the lights, as .usda; usdstitch joins "
+     "those of a sequence",
+     PATH(usd, "usda")},
     {"output", 'o', CLI_BENCH, OUTPUT, "FILE", "a plot of what was measured, such as .png",
      PATH(output, PICTURES)},
     {"curves", 0, CLI_BENCH, OUTPUT, "FILE",

@@ -54,6 +54,8 @@ static murk_status image(struct cli_job *job)
 static murk_status solve(struct cli_job *job)
 {
     murk_status status = prepare(job);
+    if (!cli_job_failed(status) && job->options->usd)
+        status = aim(job);
     if (!cli_job_failed(status))
         status = cli_job_solve(job);
     return conclude(job, status);

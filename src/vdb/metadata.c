@@ -10,8 +10,8 @@ enum { COMMON_MAX = 5, FACTS_MAX = 20, KEY_LENGTH = 64, SUN_LENGTH = 128 };
 typedef struct fact {
     const char *key;
     const char *text; /* NULL: the number holds */
-    double number;
-    bool own; /* each of several bands has its own, even where they are equal */
+    double number;    /* NaN: not known, and left out */
+    bool own;         /* each of several bands has its own, even where they are equal */
 } fact;
 
 typedef struct murk_band_facts {
@@ -24,6 +24,7 @@ typedef struct murk_band_facts {
 static void collect_facts(const murk_solution *solution, murk_band_facts *facts)
 {
     const murk_report *r = &solution->report;
+    const murk_medium *medium = solution->medium;
     const double *d = solution->sun.direction;
     snprintf(facts->sun, sizeof facts->sun, "%.9g %.9g %.9g", d[0], d[1], d[2]);
     const fact all[] = {
@@ -31,7 +32,10 @@ static void collect_facts(const murk_solution *solution, murk_band_facts *facts)
         {"sun_direction", facts->sun, 0, false},
         {"sun_irradiance", NULL, solution->sun.irradiance, true},
         {"sky_radiance", NULL, solution->sky_radiance, true},
-        {"asymmetry", NULL, solution->medium->asymmetry, false},
+        {"extinction_scale", NULL, medium->extinction_scale > 0 ? medium->extinction_scale : NAN,
+         false},
+        {"voxels", medium->corner ? "corner" : "center", 0, false},
+        {"asymmetry", NULL, medium->asymmetry, false},
         {"zones", NULL, (double)r->zones, false},
         {"patches", NULL, (double)r->patches, false},
         {"tolerance", NULL, r->tolerance, false},
@@ -55,7 +59,7 @@ static bool is_equal(const fact *a, const fact *b)
 
 static void add(murk_metadata *m, const char *name, const char *text, double number)
 {
-    if (!text || *text)
+    if (text ? *text : !isnan(number))
         m->entry[m->count++] = (murk_vdb_meta){name, text, number};
 }
 

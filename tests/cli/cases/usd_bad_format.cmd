@@ -1,0 +1,1 @@
+murk solve fixtures/puff.vdb -o a.vdb --usd a.usd

@@ -1,0 +1,1 @@
+murk solve fixtures/puffs.json -o 'a.#.vdb' --usd a.usda

@@ -1,0 +1,1 @@
+murk image fixtures/puff.vdb -o a.exr --usd a.usda
