@@ -259,9 +259,6 @@ static murk_status render(struct cli_job *job, const murk_render_options *option
 {
     const struct scene *scene = &job->scene;
     murk_band_view view[SCENE_BANDS_MAX];
-    if (!scene->band[0].name)
-        return murk_render(job->context, &scene->band[0].scene, job->solution[0], &scene->camera,
-                           options, &job->picture);
     for (size_t n = 0; n < scene->band_count; n++) {
         const struct scene_band *band = &scene->band[n];
         view[n] = (murk_band_view){.name = band->name,
@@ -270,8 +267,15 @@ static murk_status render(struct cli_job *job, const murk_render_options *option
                                    .scene = &band->scene,
                                    .solution = job->solution[n]};
     }
-    return murk_render_bands(job->context, view, scene->band_count, &scene->camera, options,
-                             &job->picture);
+    murk_status status = scene->band[0].name
+                             ? murk_render_bands(job->context, view, scene->band_count,
+                                                 &scene->camera, options, &job->picture)
+                             : murk_render(job->context, &scene->band[0].scene, job->solution[0],
+                                           &scene->camera, options, &job->picture);
+    if (status == MURK_OK && job->options->deep)
+        status = murk_render_deep(job->context, view, scene->band_count, &scene->camera, options,
+                                  &job->deep);
+    return status;
 }
 
 murk_status cli_job_render(struct cli_job *job)
@@ -296,8 +300,10 @@ void cli_job_next(struct cli_job *job, murk_status status)
         memset(job->solution, 0, sizeof job->solution);
     }
     murk_image_release(job->picture);
+    murk_deep_release(job->deep);
     release_solutions(job->solution);
     job->picture = NULL;
+    job->deep = NULL;
     scene_release(&job->scene);
     scene_description_release(&job->description);
     for (int i = 0; i < SCENE_FILE_MAX; i++) {

@@ -7,6 +7,8 @@
 #include "scene.h"
 #include "terminal.h"
 
+#include "murk/deep.h"
+
 struct cli_job {
     const struct cli_options *options;
     const char *command, *command_line;
@@ -21,6 +23,7 @@ struct cli_job {
     murk_solution *start[SCENE_BANDS_MAX];    /* of the frame before, until this one is solved */
     murk_solution *solution[SCENE_BANDS_MAX]; /* of the scene's bands */
     murk_image *picture;
+    murk_deep *deep; /* where it is asked for */
     double started;
     double seconds_read, seconds_render, seconds_write;
 };

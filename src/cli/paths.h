@@ -5,7 +5,7 @@
 
 #include "options.h"
 
-enum { CLI_PATH_MAX = 7 };
+enum { CLI_PATH_MAX = 8 };
 
 struct cli_path {
     const char *option; /* "--preview" */

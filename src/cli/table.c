@@ -42,7 +42,12 @@ static const struct cli_option TABLE[] = {
     {"radiosity", 0, CLI_RENDER, "Input", "FILE", "the radiosity .vdb that murk solve wrote",
      TEXT(radiosity)},
     {"output", 'o', PICTURE, OUTPUT, "FILE",
-     "the picture: .exr keeps everything; .png, .jpg and others are for looking at", TEXT(output)},
+     "the picture: .exr keeps everything; .tif holds R, G, B and A as linear floats; .png, .jpg "
+     "and "
+     "others are for looking at",
+     TEXT(output)},
+    {"deep", 0, PICTURE, OUTPUT, "FILE",
+     "the picture once more, deep: .exr with samples along the depth", TEXT(deep)},
     {"output", 'o', CLI_SOLVE, OUTPUT, "FILE",
      "the radiosity as .vdb, or - for a VDB stream to standard output", TEXT(output)},
     {"preview", 0, PICTURE, OUTPUT, "FILE", "the picture once more, for looking at: .png",
