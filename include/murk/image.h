@@ -64,8 +64,10 @@ typedef struct murk_image_write_options {
     }
 
 /** Writes an image; the format follows the path's extension. EXR keeps all channels as linear
- *  floats and all attributes; PNG and other 8-bit formats take R, G, B with exposure and the sRGB
- *  curve, values that are not finite as 0. Written beside the target, then renamed. options may be
+ *  floats and all attributes; TIFF takes R, G, B and A as linear floats, premultiplied as they are
+ *  (associated alpha), and all channels of an image without these; PNG and other 8-bit formats take
+ * R, G, B with exposure and the sRGB curve, values that are not finite as 0. Written beside the
+ * target, then renamed. options may be
  *  NULL. Fails with MURK_ERROR_INPUT for a format that there is none for, with MURK_ERROR_IO where
  *  the file cannot be written. */
 MURK_API murk_status murk_image_write(murk_context *context, const murk_image *image,

@@ -466,14 +466,15 @@ typedef struct murk_render_options {
  * Renders [BG91] eq. (11): channels R G B A (premultiplied by the medium's opacity,
  * A = 1 - transmittance), transmittance.Y, path.R path.G path.B (light from the medium),
  * surface.R surface.G surface.B (attenuated light of ground, sky or background; R = path.R +
- * surface.R) [W/m^2/sr] and Z, the distance [m] at which half the ray's optical depth is passed
- * (infinite where the ray meets no medium). With options->parts also scattered.Y and emitted.Y,
- * which the path radiance consists of (light that zones scatter, and what they radiate by
- * themselves towards the camera), inherent.R inherent.G inherent.B (the surface's light before it
- * enters the medium) and depth.Y, the mean optical depth. Where the medium scatters forward, the
- * path radiance also holds what is scattered forward of the light of ground and sky. options may be
- * NULL. Fails with MURK_ERROR_INPUT for a camera as murk_camera_check() does
- * or a solution of another medium or ground; with MURK_ERROR_MEMORY when memory runs out.
+ * surface.R) [W/m^2/sr] and Z, the distance [m] along the viewing axis at which half the ray's
+ * optical depth is passed (infinite where the ray meets no medium). With options->parts also
+ * scattered.Y and emitted.Y, which the path radiance consists of (light that zones scatter, and
+ * what they radiate by themselves towards the camera), inherent.R inherent.G inherent.B (the
+ * surface's light before it enters the medium) and depth.Y, the mean optical depth. Where the
+ * medium scatters forward, the path radiance also holds what is scattered forward of the light of
+ * ground and sky. options may be NULL. Fails with MURK_ERROR_INPUT for a camera
+ * as murk_camera_check() does or a solution of another medium or ground; with MURK_ERROR_MEMORY
+ * when memory runs out.
  */
 MURK_API murk_status murk_render(murk_context *context, const murk_scene *scene,
                                  const murk_solution *solution, const murk_camera *camera,

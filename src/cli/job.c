@@ -258,8 +258,6 @@ const murk_report *cli_job_report(const struct cli_job *job)
 size_t cli_job_views(const struct cli_job *job, murk_band_view view[SCENE_BANDS_MAX])
 {
     const struct scene *scene = &job->scene;
-    if (!scene->band[0].name)
-        return 0;
     for (size_t n = 0; n < scene->band_count; n++) {
         const struct scene_band *band = &scene->band[n];
         view[n] = (murk_band_view){.name = band->name,
@@ -268,7 +266,7 @@ size_t cli_job_views(const struct cli_job *job, murk_band_view view[SCENE_BANDS_
                                    .scene = &band->scene,
                                    .solution = job->solution[n]};
     }
-    return scene->band_count;
+    return scene->band[0].name ? scene->band_count : 0;
 }
 
 static murk_status render(struct cli_job *job, const murk_render_options *options)
@@ -276,10 +274,14 @@ static murk_status render(struct cli_job *job, const murk_render_options *option
     const struct scene *scene = &job->scene;
     murk_band_view view[SCENE_BANDS_MAX];
     const size_t count = cli_job_views(job, view);
-    if (!count)
-        return murk_render(job->context, &scene->band[0].scene, job->solution[0], &scene->camera,
-                           options, &job->picture);
-    return murk_render_bands(job->context, view, count, &scene->camera, options, &job->picture);
+    murk_status status =
+        count ? murk_render_bands(job->context, view, count, &scene->camera, options, &job->picture)
+              : murk_render(job->context, &scene->band[0].scene, job->solution[0], &scene->camera,
+                            options, &job->picture);
+    if (status == MURK_OK && job->options->deep)
+        status = murk_render_deep(job->context, view, scene->band_count, &scene->camera, options,
+                                  &job->deep);
+    return status;
 }
 
 murk_status cli_job_render(struct cli_job *job)
@@ -298,8 +300,10 @@ murk_status cli_job_render(struct cli_job *job)
 void cli_job_next(struct cli_job *job)
 {
     murk_image_release(job->picture);
+    murk_deep_release(job->deep);
     release_solutions(job->solution);
     job->picture = NULL;
+    job->deep = NULL;
     scene_release(&job->scene);
     scene_description_release(&job->description);
     for (int i = 0; i < SCENE_FILE_MAX; i++) {

@@ -7,6 +7,8 @@
 #include "scene.h"
 #include "terminal.h"
 
+#include "murk/deep.h"
+
 struct cli_job {
     const struct cli_options *options;
     const char *command, *command_line;
@@ -20,6 +22,7 @@ struct cli_job {
     struct scene scene;
     murk_solution *solution[SCENE_BANDS_MAX]; /* of the scene's bands */
     murk_image *picture;
+    murk_deep *deep; /* where it is asked for */
     double started;
     double seconds_read, seconds_render, seconds_write;
 };

@@ -47,7 +47,7 @@ struct cli_list {
 /* Numbers that are not given are NaN, sizes 0, texts NULL, choices -1. */
 struct cli_options {
     const char *input;
-    const char *output, *preview, *ground_radiosity;
+    const char *output, *preview, *deep, *ground_radiosity;
     const char *usd;
     const char *radiosity; /* image: written; render: read */
 

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum output_kind { PICTURE, RADIOSITY, GROUND, STAGE };
+enum output_kind { PICTURE, DEEP, RADIOSITY, GROUND, STAGE };
 
 struct output {
     const char *option; /* "--preview" */
@@ -16,7 +16,9 @@ struct output {
     enum output_kind kind;
 };
 
-enum { OUTPUT_COUNT = 5 };
+static const char PICTURE_UNITS[] = "W/m^2/sr, Z in m";
+
+enum { OUTPUT_COUNT = 6 };
 
 /* The radiosity VDB that the run writes, or NULL. */
 static const char *radiosity_path(const struct cli_job *job)
@@ -34,8 +36,9 @@ static void list_outputs(const struct cli_job *job, struct output list[OUTPUT_CO
     list[0] = (struct output){"--radiosity", image ? options->radiosity : NULL, RADIOSITY};
     list[1] = (struct output){"--ground-radiosity", options->ground_radiosity, GROUND};
     list[2] = (struct output){"-o", options->output, solve ? RADIOSITY : PICTURE};
-    list[3] = (struct output){"--preview", options->preview, PICTURE};
-    list[4] = (struct output){"--usd", options->usd, STAGE};
+    list[3] = (struct output){"--deep", options->deep, DEEP};
+    list[4] = (struct output){"--preview", options->preview, PICTURE};
+    list[5] = (struct output){"--usd", options->usd, STAGE};
 }
 
 static murk_status usage_error(struct cli_job *job, const struct output *output, const char *text)
@@ -64,6 +67,8 @@ static murk_status check_image(struct cli_job *job, const struct output *output)
         return usage_error(job, output, "an image cannot go to standard output; name a file");
     if (cli_has_extension(output->path, ".vdb"))
         return usage_error(job, output, "is a VDB, not an image; name an .exr file");
+    if (output->kind == DEEP && !cli_has_extension(output->path, ".exr"))
+        return usage_error(job, output, "is not an .exr file; deep pictures are written as EXR");
     return MURK_OK;
 }
 
@@ -173,7 +178,15 @@ static murk_status write_picture(struct cli_job *job, const murk_image *shown, c
 {
     if (cli_show_wanted(job, path))
         return write_image(job, shown, path, 0, NULL);
-    return write_image(job, job->picture, path, job->options->exposure, "W/m^2/sr, Z in m");
+    return write_image(job, job->picture, path, job->options->exposure, PICTURE_UNITS);
+}
+
+static murk_status write_deep(struct cli_job *job, const char *path)
+{
+    murk_image_write_options options = MURK_IMAGE_WRITE_DEFAULT;
+    options.command = job->command_line;
+    options.units = PICTURE_UNITS;
+    return murk_deep_write(job->context, job->deep, path, &options);
 }
 
 static murk_status write_output(struct cli_job *job, const murk_image *shown,
@@ -186,6 +199,8 @@ static murk_status write_output(struct cli_job *job, const murk_image *shown,
         return write_ground(job, output->path);
     case STAGE:
         return cli_usd_write(job, output->path, radiosity_path(job));
+    case DEEP:
+        return write_deep(job, output->path);
     default:
         return write_picture(job, shown, output->path);
     }

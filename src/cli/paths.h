@@ -5,7 +5,7 @@
 
 #include "options.h"
 
-enum { CLI_PATH_MAX = 8 };
+enum { CLI_PATH_MAX = 9 };
 
 struct cli_path {
     const char *option; /* "--preview" */

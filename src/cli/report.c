@@ -56,6 +56,8 @@ static void say_outputs(struct cli_job *job)
                 options->preview);
     else
         cli_say(&job->terminal, "picture in %s", options->output);
+    if (options->deep)
+        cli_say(&job->terminal, "deep picture in %s", options->deep);
     if (!strcmp(job->command, "image") && options->radiosity)
         cli_say(&job->terminal, "radiosity in %s", options->radiosity);
     if (options->ground_radiosity)
@@ -189,6 +191,7 @@ void cli_report_json(const struct cli_job *job, murk_status status)
     json_object_set_new(inputs, "radiosity", cli_json_text(render ? options->radiosity : NULL));
     json_object_set_new(outputs, "output", cli_json_text(options->output));
     json_object_set_new(outputs, "preview", cli_json_text(options->preview));
+    json_object_set_new(outputs, "deep", cli_json_text(options->deep));
     json_object_set_new(outputs, "radiosity", cli_json_text(render ? NULL : options->radiosity));
     json_object_set_new(outputs, "ground_radiosity", cli_json_text(options->ground_radiosity));
     json_object_set_new(outputs, "usd", cli_json_text(options->usd));

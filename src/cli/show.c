@@ -10,7 +10,8 @@
 
 bool cli_show_wanted(const struct cli_job *job, const char *path)
 {
-    return job->options->show && path && !cli_has_extension(path, ".exr");
+    return job->options->show && path && !cli_has_extension(path, ".exr") &&
+           !cli_has_extension(path, ".tif") && !cli_has_extension(path, ".tiff");
 }
 
 murk_status cli_show_check(struct cli_job *job)

@@ -45,8 +45,12 @@ static const struct cli_option TABLE[] = {
     {"radiosity", 0, CLI_RENDER, "Input", "FILE", "the radiosity .vdb that murk solve wrote",
      PATH(radiosity, "vdb")},
     {"output", 'o', PICTURE, OUTPUT, "FILE",
-     "the picture: .exr keeps everything; .png, .jpg and others are for looking at",
-     PATH(output, "exr png jpg")},
+     "the picture: .exr keeps everything; .tif holds R, G, B and A as linear floats; .png, .jpg "
+     "and "
+     "others are for looking at",
+     PATH(output, "exr tif png jpg")},
+    {"deep", 0, PICTURE, OUTPUT, "FILE",
+     "the picture once more, deep: .exr with samples along the depth", PATH(deep, "exr")},
     {"output", 'o', CLI_SOLVE, OUTPUT, "FILE",
      "the radiosity as .vdb, or - for a VDB stream to standard output", PATH(output, "vdb")},
     {"preview", 0, PICTURE, OUTPUT, "FILE", "the picture once more, for looking at: .png",

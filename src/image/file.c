@@ -12,40 +12,49 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define EIGHT_BIT_LIST ".png, .jpg, .bmp, .tga or .ppm"
+#define FORMAT_LIST                                                                                \
+    ".exr keeps everything, .tif R, G, B and A, or .png, .jpg, .bmp, .tga or .ppm for looking at"
 
-/* Whether path names an 8-bit format; fails where murk writes no such format. */
-static murk_status image_format(murk_context *context, const char *path, bool *eight_bit)
+/* What goes into a file. */
+typedef enum image_format {
+    EVERYTHING,    /* all channels, as floats */
+    COLOR_OPACITY, /* R, G, B and A as floats: programs take further channels of a TIFF for anything
+                      or nothing. All channels where it is not a picture that has these */
+    EIGHT_BIT      /* for looking at */
+} image_format;
+
+static const struct {
+    const char *extension;
+    image_format format;
+} FORMATS[] = {{"exr", EVERYTHING}, {"tif", COLOR_OPACITY}, {"tiff", COLOR_OPACITY},
+               {"png", EIGHT_BIT},  {"jpg", EIGHT_BIT},     {"jpeg", EIGHT_BIT},
+               {"bmp", EIGHT_BIT},  {"tga", EIGHT_BIT},     {"ppm", EIGHT_BIT}};
+
+/* The format that path names; fails where murk writes no such format. */
+static murk_status find_format(murk_context *context, const char *path, image_format *out)
 {
-    static const char *const EIGHT_BIT[] = {"png", "jpg", "jpeg", "bmp", "tga", "ppm"};
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
     const char *dot = strrchr(name, '.');
     if (!dot || dot == name)
-        return murk_fail(
-            context, MURK_ERROR_INPUT,
-            "%s: no file extension to tell the image format by: .exr keeps everything, "
-            "or " EIGHT_BIT_LIST " for looking at",
-            path);
-    *eight_bit = false;
-    if (!strcasecmp(dot + 1, "exr"))
-        return MURK_OK;
-    *eight_bit = true;
-    for (size_t i = 0; i < sizeof EIGHT_BIT / sizeof *EIGHT_BIT; i++)
-        if (!strcasecmp(dot + 1, EIGHT_BIT[i]))
+        return murk_fail(context, MURK_ERROR_INPUT,
+                         "%s: no file extension to tell the image format by: " FORMAT_LIST, path);
+    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
+        if (!strcasecmp(dot + 1, FORMATS[i].extension)) {
+            *out = FORMATS[i].format;
             return MURK_OK;
-    return murk_fail(context, MURK_ERROR_INPUT,
-                     "%s: cannot write %s images: .exr keeps everything, or " EIGHT_BIT_LIST
-                     " for looking at",
-                     path, dot);
+        }
+    return murk_fail(context, MURK_ERROR_INPUT, "%s: cannot write %s images: " FORMAT_LIST, path,
+                     dot);
 }
 
 murk_status murk_output_check(murk_context *context, const char *path)
 {
     size_t length = strlen(path);
-    bool eight_bit, vdb = length > 4 && !strcasecmp(path + length - 4, ".vdb");
+    image_format format;
+    bool vdb = length > 4 && !strcasecmp(path + length - 4, ".vdb");
     if (!strcmp(path, "-"))
         return MURK_OK;
-    murk_status status = vdb ? MURK_OK : image_format(context, path, &eight_bit);
+    murk_status status = vdb ? MURK_OK : find_format(context, path, &format);
     return status == MURK_OK ? murk_beside_check(context, path) : status;
 }
 
@@ -71,11 +80,58 @@ murk_status murk_image_command(murk_context *context, const char *path, char *te
     return status == MURK_OK ? murk_oiio_command(context, path, text, size) : status;
 }
 
+enum { COLOR_CHANNELS = 4 };
+static const char *const COLOR_NAMES[COLOR_CHANNELS] = {"R", "G", "B", "A"};
+
+/* A copy of these channels, to be freed; none where the image does not have them. False when memory
+   runs out. */
+static bool take_color(const murk_image *image, float **out)
+{
+    const size_t pixels = (size_t)image->width * (size_t)image->height;
+    int channel[COLOR_CHANNELS];
+    for (int c = 0; c < COLOR_CHANNELS; c++)
+        if ((channel[c] = murk_image_channel(image, COLOR_NAMES[c])) < 0)
+            return true;
+    float *color = murk_alloc(pixels * COLOR_CHANNELS, sizeof *color);
+    for (size_t p = 0; color && p < pixels; p++)
+        for (int c = 0; c < COLOR_CHANNELS; c++)
+            color[p * COLOR_CHANNELS + (size_t)c] =
+                image->pixels[p * (size_t)image->channels + (size_t)channel[c]];
+    *out = color;
+    return color;
+}
+
+/* The bytes of a file for looking at, from malloc. */
+static murk_status encode_display(murk_context *context, const murk_image *image, const char *path,
+                                  const murk_image_write_options *options, void **bytes,
+                                  size_t *size)
+{
+    uint8_t *display = murk_alloc((size_t)image->width * image->height, 3);
+    if (!display)
+        return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
+    double exposure = isnan(options->exposure) ? murk_display_exposure(image) : options->exposure;
+    murk_display_encode(image, exposure, display);
+    const murk_oiio_pixels pixels = {
+        .width = image->width,
+        .height = image->height,
+        .channels = 3,
+        .names = COLOR_NAMES,
+        .bytes = display,
+        .command = options->command,
+        .units = options->units,
+    };
+    murk_status status = murk_oiio_encode(context, path, &pixels, bytes, size);
+    murk_free(display);
+    return status;
+}
+
 /* The file's bytes, from malloc. */
 static murk_status image_encode(murk_context *context, const murk_image *image, const char *path,
-                                bool eight_bit, const murk_image_write_options *options,
+                                image_format format, const murk_image_write_options *options,
                                 void **bytes, size_t *size)
 {
+    if (format == EIGHT_BIT)
+        return encode_display(context, image, path, options, bytes, size);
     murk_oiio_pixels pixels = {
         .width = image->width,
         .height = image->height,
@@ -86,22 +142,16 @@ static murk_status image_encode(murk_context *context, const murk_image *image, 
         .command = options->command,
         .units = options->units,
     };
-    if (!eight_bit)
-        return murk_oiio_encode(context, path, &pixels, bytes, size);
-
-    static const char *const RGB[] = {"R", "G", "B"};
-    uint8_t *display = murk_alloc((size_t)image->width * image->height, 3);
-    if (!display)
+    float *color = NULL;
+    if (format == COLOR_OPACITY && !take_color(image, &color))
         return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
-    double exposure = isnan(options->exposure) ? murk_display_exposure(image) : options->exposure;
-    murk_display_encode(image, exposure, display);
-    pixels.channels = 3;
-    pixels.names = RGB;
-    pixels.floats = NULL;
-    pixels.attributes = NULL;
-    pixels.bytes = display;
+    if (color) {
+        pixels.channels = COLOR_CHANNELS;
+        pixels.names = COLOR_NAMES;
+        pixels.floats = color;
+    }
     murk_status status = murk_oiio_encode(context, path, &pixels, bytes, size);
-    murk_free(display);
+    murk_free(color);
     return status;
 }
 
@@ -109,13 +159,13 @@ murk_status murk_image_write(murk_context *context, const murk_image *image, con
                              const murk_image_write_options *options)
 {
     static const murk_image_write_options DEFAULTS = MURK_IMAGE_WRITE_DEFAULT;
-    bool eight_bit;
+    image_format format;
     void *bytes = NULL;
     size_t size = 0;
-    murk_status status = image_format(context, path, &eight_bit);
+    murk_status status = find_format(context, path, &format);
     if (status == MURK_OK)
-        status = image_encode(context, image, path, eight_bit, options ? options : &DEFAULTS,
-                              &bytes, &size);
+        status = image_encode(context, image, path, format, options ? options : &DEFAULTS, &bytes,
+                              &size);
     if (status == MURK_OK)
         status = murk_file_write(context, path, bytes, size);
     free(bytes);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only source that sees OpenImageIO. One guard keeps its exceptions inside.
+// Flat images and text through OpenImageIO, which no other folder sees.
+#include "oiio.hpp"
 #include "context.h"
 #include "image.h"
 
@@ -14,38 +15,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <memory>
-#include <new>
 #include <string>
 #include <vector>
 
+using murk::describe;
+using murk::guard;
+using murk::one_line;
+
 namespace
 {
-
-template <typename Body>
-murk_status guard(murk_context *context, const char *path, Body body) noexcept
-{
-    try {
-        return body();
-    } catch (const std::bad_alloc &) {
-        return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
-    } catch (const std::exception &error) {
-        return murk_fail(context, MURK_ERROR_INTERNAL, "%s: %s", path, error.what());
-    } catch (...) {
-        return murk_fail(context, MURK_ERROR_INTERNAL, "%s: unknown exception in OpenImageIO",
-                         path);
-    }
-}
-
-// OpenImageIO's messages may span lines and end with one.
-std::string one_line(std::string text)
-{
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
-        text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text.empty() ? "unknown reason" : text;
-}
 
 // Whole numbers are on a display's curve, whether the file says so or not. They come unassociated,
 // so that the curve acts on the colour itself.
@@ -142,11 +121,7 @@ OIIO::ImageSpec output_spec(const murk_oiio_pixels &pixels)
     spec.attribute("oiio:ColorSpace", pixels.floats ? "Linear" : "sRGB");
     if (pixels.floats) // Level 4, the usual one, takes a third longer for a tenth fewer bytes.
         spec.attribute("compression", "zip:2");
-    spec.attribute("Software", "murk " MURK_VERSION);
-    if (pixels.command)
-        spec.attribute("murk:command", pixels.command);
-    if (pixels.units)
-        spec.attribute("murk:units", pixels.units);
+    describe(spec, pixels.command, pixels.units);
     return spec;
 }
 
@@ -160,7 +135,11 @@ murk_status encode_image(murk_context *context, const char *path, const murk_oii
         return murk_fail(context, MURK_ERROR_INTERNAL, "%s: OpenImageIO cannot write this format",
                          path);
     file->threads(context->threads);
-    bool encoded = file->open(path, output_spec(pixels)) &&
+    OIIO::ImageSpec spec = output_spec(pixels);
+    if (pixels.command && !std::strcmp(file->format_name(), "tiff")) // It has no names of ours.
+        spec.attribute("ImageDescription",
+                       pixels.command + (pixels.units ? std::string("; ") + pixels.units : ""));
+    bool encoded = file->open(path, spec) &&
                    (pixels.floats ? file->write_image(OIIO::TypeFloat, pixels.floats)
                                   : file->write_image(OIIO::TypeUInt8, pixels.bytes)) &&
                    file->close();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* A picture of several bands, put together from those of each. */
-#include "murk/bands.h"
+#include "band_colors.h"
 
 #include "apparent.h"
 #include "context.h"
@@ -195,12 +195,23 @@ static void take_colors(bool rgb, int color, moves *list)
             add(list, COLOR[i], 1, COLOR[i]);
 }
 
-static bool has_band(const murk_band_view *views, size_t count, const char *name)
+static const murk_band_view *find_band(const murk_band_view *views, size_t count, const char *name)
 {
     for (size_t n = 0; n < count; n++)
-        if (!strcmp(views[n].name, name))
-            return true;
-    return false;
+        if (views[n].name && !strcmp(views[n].name, name))
+            return &views[n];
+    return NULL;
+}
+
+bool murk_band_colors(const murk_band_view *views, size_t count, const murk_band_view *color[3])
+{
+    static const char *const NAMES[3] = {"R", "G", "B"};
+    bool all = true;
+    for (int c = 0; c < 3; c++)
+        all &= (color[c] = find_band(views, count, NAMES[c])) != NULL;
+    for (int c = 0; c < 3 && !all; c++)
+        color[c] = &views[0];
+    return all;
 }
 
 /* "R:6e-07:7e-07,LWIR:8e-06:1.2e-05" */
@@ -236,8 +247,8 @@ murk_status murk_render_bands(murk_context *context, const murk_band_view *views
     if (!status)
         status = name_bands(context, views, count, image);
     const murk_band_view *mass = massive(views, count);
-    bool rgb =
-        has_band(views, count, "R") && has_band(views, count, "G") && has_band(views, count, "B");
+    const murk_band_view *shown[3];
+    bool rgb = murk_band_colors(views, count, shown);
     for (size_t n = 0; !status && n < count; n++) {
         murk_image *one = NULL;
         const murk_band_view *view = &views[n];
@@ -245,10 +256,9 @@ murk_status murk_render_bands(murk_context *context, const murk_band_view *views
         if (status)
             break;
         const int color = color_of(view->name);
-        bool shown = rgb ? !strcmp(view->name, "R") || color > 0 : n == 0;
         moves list = {.from = one, .to = image};
         take_layer(view, &list);
-        if (shown)
+        if (view == shown[rgb ? color : 0])
             take_colors(rgb, rgb ? color : 0, &list);
         if (view == mass)
             add(&list, "depth.Y", 1 / view->mass_extinction, "CL.Y");

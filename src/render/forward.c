@@ -193,7 +193,8 @@ void murk_forward_clear(murk_forward *forward)
 }
 
 bool murk_forward_march(const murk_forward *forward, const int32_t *brick, size_t count,
-                        const murk_packet *packet, murk_trace *trace, murk_forwarded *out)
+                        const murk_packet *packet, murk_trace *trace, size_t stride,
+                        murk_forwarded *out)
 {
     murk_packet again = *packet;
     if (!murk_march_light(&forward->march, brick, count, &again, trace))
@@ -202,7 +203,7 @@ bool murk_forward_march(const murk_forward *forward, const int32_t *brick, size_
     memcpy(out->depth, again.depth, sizeof out->depth);
     for (int j = 1; forward->weight && j < TERMS; j++) {
         again = *packet;
-        if (!murk_march_light(&forward->sun[j], brick, count, &again, trace))
+        if (!murk_march_light(&forward->sun[j], brick, count, &again, trace + stride * (size_t)j))
             return false;
         memcpy(out->sun[j], again.path, sizeof out->sun[j]);
     }

@@ -68,9 +68,11 @@ static inline const murk_march *murk_forward_itself(const murk_forward *forward,
     return forward->weight ? &forward->sun[0] : march;
 }
 
-/* Carries a packet through the bricks; false when memory runs out. */
+/* Carries a packet through the bricks; false when memory runs out. What the reduced medium, then
+   the second and third sun's term give on the way goes to trace[0], trace[stride] and so on. */
 bool murk_forward_march(const murk_forward *forward, const int32_t *brick, size_t count,
-                        const murk_packet *packet, murk_trace *trace, murk_forwarded *out);
+                        const murk_packet *packet, murk_trace *trace, size_t stride,
+                        murk_forwarded *out);
 
 /* Sets the path of a packet that went through the medium itself (murk_forward_itself()) along
    `direction`, unit vectors in the world; behind: pi L_b. */

@@ -68,18 +68,34 @@ murk_status murk_march_glow(murk_context *context, const murk_solution *solution
     return MURK_OK;
 }
 
+/* A copy of an array of `count` elements with room for more, in place of it. */
+static bool enlarge(void *array, size_t count, size_t capacity, size_t size)
+{
+    void *larger = murk_alloc(capacity, size), *old;
+    if (!larger)
+        return false;
+    memcpy(&old, array, sizeof old);
+    if (count)
+        memcpy(larger, old, count * size);
+    murk_free(old);
+    memcpy(array, &larger, sizeof larger);
+    return true;
+}
+
 static bool grow(murk_trace *trace)
 {
     size_t capacity = 2 * trace->capacity + 16 * MURK_BRICK_STEPS;
-    murk_passed *passed = murk_alloc(capacity, sizeof *passed);
-    if (!passed)
+    if (!enlarge(&trace->passed, trace->count, capacity, sizeof *trace->passed) ||
+        (trace->records && !enlarge(&trace->path, trace->count, capacity, sizeof *trace->path)))
         return false;
-    if (trace->count)
-        memcpy(passed, trace->passed, trace->count * sizeof *passed);
-    murk_free(trace->passed);
-    trace->passed = passed;
     trace->capacity = capacity;
     return true;
+}
+
+void murk_trace_clear(murk_trace *trace)
+{
+    murk_free(trace->passed);
+    murk_free(trace->path);
 }
 
 bool murk_march_light(const murk_march *march, const int32_t *brick, size_t count,

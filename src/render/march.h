@@ -28,6 +28,8 @@ murk_status murk_march_glow(murk_context *context, const murk_solution *solution
 bool murk_march_light(const murk_march *march, const int32_t *brick, size_t count,
                       murk_packet *packet, murk_trace *trace);
 
+void murk_trace_clear(murk_trace *trace);
+
 /* Where the ray of a lane has passed half of its depth [m]; INFINITY if there is none. */
 double murk_trace_half(const murk_trace *trace, int lane, double depth);
 

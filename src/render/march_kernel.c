@@ -24,7 +24,8 @@ typedef struct local {
     float t[MURK_LANES], t_end[MURK_LANES];
     int32_t slot[MURK_LANES];
     float depth[MURK_LANES], tau[MURK_LANES], path[MURK_LANES];
-    float before[MURK_LANES], depth_before[MURK_LANES]; /* t and depth where the ray enters */
+    float before[MURK_LANES], depth_before[MURK_LANES];    /* t and depth where the ray enters */
+    float tau_before[MURK_LANES], path_before[MURK_LANES]; /* where the path is recorded */
 } local;
 
 INLINE double lesser(double x, double y)
@@ -188,7 +189,8 @@ INLINE float sample(const float *block, float x, float y, float z)
 
 /* To the next voxel of each ray, or its end; returns whether any goes on. */
 INLINE bool step(const float *restrict kappa_t, const float *restrict block, local *restrict rays,
-                 murk_passed *restrict passed, bool keep, bool light, bool thin)
+                 murk_passed *restrict passed, float *restrict path, bool keep, bool record,
+                 bool light, bool thin)
 {
     int any = 0;
 #pragma omp simd reduction(| : any)
@@ -212,6 +214,8 @@ INLINE bool step(const float *restrict kappa_t, const float *restrict block, loc
             rays->path[l] += taken * b;
             rays->tau[l] -= taken;
         }
+        if (record)
+            path[l] = rays->path_before[l] + rays->tau_before[l] * rays->path[l];
         if (keep) {
             passed->t[l] = rays->before[l] + t1;
             passed->depth[l] = rays->depth_before[l] + rays->depth[l];
@@ -237,8 +241,23 @@ INLINE void run(const float *kappa_t, const float *block, local *rays, murk_trac
 {
     bool on = true;
     while (on)
-        on = step(kappa_t, block, rays, keep ? &trace->passed[trace->count++] : NULL, keep, light,
-                  thin);
+        on = step(kappa_t, block, rays, keep ? &trace->passed[trace->count++] : NULL, NULL, keep,
+                  false, light, thin);
+}
+
+/* The same, with the path of the packet. */
+INLINE void run_recorded(const float *kappa_t, const float *block, const murk_packet *packet,
+                         local *rays, murk_trace *trace, bool light, bool thin)
+{
+    LANES
+    {
+        rays->tau_before[l] = (float)packet->tau[l];
+        rays->path_before[l] = (float)packet->path[l];
+    }
+    bool on = true;
+    for (; on; trace->count++)
+        on = step(kappa_t, block, rays, &trace->passed[trace->count], trace->path[trace->count],
+                  true, true, light, thin);
 }
 
 size_t MURK_MARCH_NAME(const murk_marched *medium, const int32_t *brick, size_t count,
@@ -259,6 +278,12 @@ size_t MURK_MARCH_NAME(const murk_marched *medium, const int32_t *brick, size_t 
         start(box, packet, enter, leave, &rays);
         if (!trace)
             run(kappa_t, block, &rays, NULL, false, false, false);
+        else if (trace->records && !seen)
+            run_recorded(kappa_t, block, packet, &rays, trace, false, false);
+        else if (trace->records && box->thin)
+            run_recorded(kappa_t, block, packet, &rays, trace, true, true);
+        else if (trace->records)
+            run_recorded(kappa_t, block, packet, &rays, trace, true, false);
         else if (!seen)
             run(kappa_t, block, &rays, trace, true, false, false);
         else if (box->thin)

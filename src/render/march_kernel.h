@@ -20,8 +20,9 @@ enum { MURK_BRICK_STEPS = 22 };
 
 /*
  * Carries a packet through `count` bricks, in the order that they stand in, and adds to its depth,
- * tau and path; all steps are put down in the trace. Gives back how many bricks there was room for:
- * each wants MURK_BRICK_STEPS. Without a trace only the depth is computed.
+ * tau and path; all steps are put down in the trace, with the path if it records that. Gives back
+ * how many bricks there was room for: each wants MURK_BRICK_STEPS. Without a trace only the depth
+ * is computed.
  */
 typedef size_t murk_march_fn(const murk_marched *medium, const int32_t *brick, size_t count,
                              murk_packet *packet, murk_trace *trace);

@@ -36,7 +36,9 @@ typedef struct murk_passed {
 
 typedef struct murk_trace {
     murk_passed *passed;
+    float (*path)[MURK_LANES]; /* the packet's path there; NULL where it is not recorded */
     size_t count, capacity;
+    bool records; /* the path too */
 } murk_trace;
 
 #endif

@@ -61,7 +61,7 @@ static bool shoot_bin(const murk_shot *shot, int column, int row, murk_trace *tr
     int i0 = column * MURK_BIN_PIXELS, j0 = row * MURK_BIN_PIXELS, edge = shot->block;
     for (int j = j0; j < j0 + MURK_BIN_PIXELS && j < image->height; j += edge)
         for (int i = i0; i < i0 + MURK_BIN_PIXELS && i < image->width; i += edge) {
-            if (!murk_shot_block(shot, i, j, trace, sum))
+            if (!murk_shot_block(shot, i, j, trace, NULL, sum))
                 return false;
             for (int y = 0; y < edge && j + y < image->height; y++)
                 for (int x = 0; x < edge && i + x < image->width; x++)
@@ -90,7 +90,7 @@ static murk_status shoot(murk_context *context, const murk_shot *shot, murk_imag
 #pragma omp critical(murk_render_progress)
             murk_progress(context, "render", (double)ready / rows);
         }
-        murk_free(trace.passed);
+        murk_trace_clear(&trace);
     }
     return ok ? MURK_OK : murk_fail(context, MURK_ERROR_MEMORY, "out of memory while rendering");
 }
@@ -111,6 +111,15 @@ static murk_status make_view(murk_context *context, const murk_ground *ground,
     return MURK_OK;
 }
 
+murk_status murk_shot_view(murk_context *context, const murk_scene *scene,
+                           const murk_solution *solution, const murk_camera *camera, murk_view *out)
+{
+    if (scene->medium != solution->medium || scene->ground != solution->ground)
+        return murk_fail(context, MURK_ERROR_INPUT,
+                         "the solution belongs to another scene; solve this one");
+    return make_view(context, solution->ground, camera, out);
+}
+
 murk_status murk_camera_check(murk_context *context, const murk_scene *scene,
                               const murk_camera *camera)
 {
@@ -125,11 +134,8 @@ murk_status murk_render(murk_context *context, const murk_scene *scene,
     const murk_render_options defaults = MURK_RENDER_DEFAULT;
     if (!options)
         options = &defaults;
-    if (scene->medium != solution->medium || scene->ground != solution->ground)
-        return murk_fail(context, MURK_ERROR_INPUT,
-                         "the solution belongs to another scene; solve this one");
     murk_view view;
-    murk_status status = make_view(context, solution->ground, camera, &view);
+    murk_status status = murk_shot_view(context, scene, solution, camera, &view);
     if (status)
         return status;
     murk_image *image = NULL;

@@ -12,6 +12,7 @@ enum { EDGE = 4 };
 typedef struct beam {
     double x[MURK_LANES], y[MURK_LANES]; /* in the picture, in pixels from the top left */
     double direction[3][MURK_LANES];     /* unit vectors */
+    double cosine[MURK_LANES];           /* of the angle to the viewing axis */
     double t_ground[MURK_LANES];         /* where they meet it; MURK_FOREVER where they do not */
 } beam;
 
@@ -94,7 +95,7 @@ static void aim(const murk_shot *shot, int left, int top, int i, int j, beam *ra
 {
     const murk_view *view = &shot->view;
     const murk_ground *ground = shot->solution->ground;
-    double right[MURK_LANES], up[MURK_LANES], scale[MURK_LANES];
+    double right[MURK_LANES], up[MURK_LANES], *scale = rays->cosine;
     for (int l = 0; l < MURK_LANES; l++) {
         rays->x[l] = left + (i * EDGE + l % EDGE + 0.5) / shot->samples;
         rays->y[l] = top + (j * EDGE + l / EDGE + 0.5) / shot->samples;
@@ -155,21 +156,27 @@ static void look_behind(const murk_shot *shot, const beam *rays, const murk_pack
     murk_backdrop_light(&shot->backdrop, &ends, radiance);
 }
 
+/* The pixel of its block that a lane of the packet at column i, row j is in. */
+static int pixel_of(const murk_shot *shot, int i, int j, int lane)
+{
+    return (j * EDGE + lane / EDGE) / shot->samples * MURK_BLOCK_PIXELS +
+           (i * EDGE + lane % EDGE) / shot->samples;
+}
+
 /* Adds a packet's light, seen through the medium, to the sums of its pixels. */
-static void add(const murk_shot *shot, int i, int j, const murk_packet *packet,
+static void add(const murk_shot *shot, int i, int j, const beam *rays, const murk_packet *packet,
                 const double glow[MURK_LANES], const murk_trace *trace,
                 const double behind[3][MURK_LANES], murk_sum *sum)
 {
     for (int l = 0; l < MURK_LANES; l++) {
-        murk_sum *to = &sum[(j * EDGE + l / EDGE) / shot->samples * MURK_BLOCK_PIXELS +
-                            (i * EDGE + l % EDGE) / shot->samples];
+        murk_sum *to = &sum[pixel_of(shot, i, j, l)];
         double depth = packet->depth[l], tau = depth > 0 ? exp(-depth) : 1;
         to->transmittance += tau;
         to->path += packet->path[l] * M_1_PI;
         for (int c = 0; c < 3; c++)
             to->surface[c] += tau * behind[c][l];
         if (depth > 0) {
-            to->distance += murk_trace_half(trace, l, depth);
+            to->distance += rays->cosine[l] * murk_trace_half(trace, l, depth);
             to->deep++;
         }
         to->emitted += glow[l] * M_1_PI;
@@ -214,35 +221,85 @@ static void look_around(const murk_shot *shot, const beam *rays, const murk_pack
     }
 }
 
+/* Makes the recorded path that of the medium with forward scattering. All marches make the same
+   steps, since they have the same voxels. */
+static void record_forward(const murk_shot *shot, const beam *rays, const double behind[MURK_LANES],
+                           murk_trace trace[MURK_SHOT_TRACES])
+{
+    for (size_t n = 0; n < trace->count; n++) {
+        murk_packet so_far;
+        murk_forwarded passed;
+        for (int l = 0; l < MURK_LANES; l++) {
+            so_far.depth[l] = trace[0].passed[n].depth[l];
+            so_far.path[l] = trace[0].path[n][l];
+            passed.depth[l] = trace[1].passed[n].depth[l];
+            passed.path[l] = trace[1].path[n][l];
+            for (int t = 1; t < MURK_FORWARD_TERMS && shot->peaked.weight; t++)
+                passed.sun[t][l] = trace[1 + t].path[n][l];
+        }
+        murk_forward_light(&shot->peaked, &passed, rays->direction, behind, &so_far);
+        for (int l = 0; l < MURK_LANES; l++)
+            trace[0].path[n][l] = (float)so_far.path[l];
+    }
+}
+
+/* The packet at column i, row j of those of a block: to its end, what is behind it not included.
+   stride: 1 where each march has a trace of its own, else 0. */
+static bool carry(const murk_shot *shot, const int32_t *brick, size_t count, const beam *rays,
+                  murk_trace *trace, size_t stride, murk_packet *packet)
+{
+    const bool forward = murk_forward_needed(&shot->peaked);
+    murk_forwarded passed;
+    if ((forward && !murk_forward_march(&shot->peaked, brick, count, packet, trace + stride, stride,
+                                        &passed)) ||
+        !murk_march_light(murk_forward_itself(&shot->peaked, &shot->march), brick, count, packet,
+                          trace))
+        return false;
+    if (forward) {
+        double average[MURK_LANES];
+        look_around(shot, rays, packet, &passed, trace, average);
+        if (stride)
+            record_forward(shot, rays, average, trace);
+        murk_forward_light(&shot->peaked, &passed, rays->direction, average, packet);
+    }
+    return true;
+}
+
+/* Puts down the rays of the packet at column i, row j in the curves of their pixels. */
+static bool record(const murk_shot *shot, int i, int j, const beam *rays, const murk_trace *trace,
+                   murk_curves *curves)
+{
+    for (int l = 0; l < MURK_LANES; l++)
+        if (!murk_curves_add(curves, pixel_of(shot, i, j, l), trace, l, rays->cosine[l],
+                             rays->t_ground[l]))
+            return false;
+    return true;
+}
+
 bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace,
-                     murk_sum sum[MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS])
+                     murk_curves *curves, murk_sum sum[MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS])
 {
     size_t count;
     const int32_t *brick =
         murk_bins_list(&shot->seen, left / MURK_BIN_PIXELS, top / MURK_BIN_PIXELS, &count);
     int packets = shot->block * shot->samples / EDGE;
     memset(sum, 0, MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS * sizeof *sum);
+    if (curves)
+        murk_curves_restart(curves);
     for (int j = 0; j < packets; j++)
         for (int i = 0; i < packets; i++) {
             beam rays;
             murk_packet packet;
             double behind[3][MURK_LANES], glow[MURK_LANES];
             aim(shot, left, top, i, j, &rays, &packet);
-            murk_forwarded passed;
-            bool forward = murk_forward_needed(&shot->peaked);
             if (!march_glow(shot, brick, count, &packet, trace, glow) ||
-                (forward &&
-                 !murk_forward_march(&shot->peaked, brick, count, &packet, trace, &passed)) ||
-                !murk_march_light(murk_forward_itself(&shot->peaked, &shot->march), brick, count,
-                                  &packet, trace))
+                !carry(shot, brick, count, &rays, trace, curves ? 1 : 0, &packet))
                 return false;
-            if (forward) {
-                double average[MURK_LANES];
-                look_around(shot, &rays, &packet, &passed, trace, average);
-                murk_forward_light(&shot->peaked, &passed, rays.direction, average, &packet);
-            }
             look_behind(shot, &rays, &packet, behind);
-            add(shot, i, j, &packet, shot->all_glow ? packet.path : glow, trace, behind, sum);
+            add(shot, i, j, &rays, &packet, shot->all_glow ? packet.path : glow, trace, behind,
+                sum);
+            if (curves && !record(shot, i, j, &rays, trace, curves))
+                return false;
         }
     return true;
 }

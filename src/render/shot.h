@@ -4,6 +4,7 @@
 #define MURK_RENDER_SHOT_H
 
 #include "backdrop.h"
+#include "curves.h"
 #include "forward.h"
 #include "seen.h"
 
@@ -27,22 +28,32 @@ typedef struct murk_shot {
 /* Sums over the rays of a pixel. */
 typedef struct murk_sum {
     double path, transmittance, surface[3];
-    double distance;                    /* of rays with depth: where half of it is passed [m] */
-    int deep;                           /* number of those */
+    double
+        distance; /* of rays with depth, along the viewing axis: where half of it is passed [m] */
+    int deep;     /* number of those */
     double emitted, inherent[3], depth; /* where parts are asked for */
 } murk_sum;
 
 /* Pixels along the edge of a block at most. */
 enum { MURK_BLOCK_PIXELS = 4 };
 
+/* The view of a camera that can take a picture of a scene and its own solution. */
+murk_status murk_shot_view(murk_context *context, const murk_scene *scene,
+                           const murk_solution *solution, const murk_camera *camera,
+                           murk_view *out);
+
 murk_status murk_shot_create(murk_context *context, const murk_solution *solution,
                              const murk_view *view, const murk_render_options *options,
                              murk_shot *out);
 void murk_shot_clear(murk_shot *shot);
 
-/* The pixels of the block with the upper left pixel (left, top), rows of MURK_BLOCK_PIXELS. False
-   when memory runs out. */
+/* Of the medium as it is, and of those that murk_forward_march() goes through. */
+enum { MURK_SHOT_TRACES = 1 + MURK_FORWARD_TERMS };
+
+/* The pixels of the block with the upper left pixel (left, top), rows of MURK_BLOCK_PIXELS. With
+   curves, which else are NULL, also what the rays of each pixel meet on their way: that takes
+   MURK_SHOT_TRACES traces, which record, else one does. False when memory runs out. */
 bool murk_shot_block(const murk_shot *shot, int left, int top, murk_trace *trace,
-                     murk_sum sum[MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS]);
+                     murk_curves *curves, murk_sum sum[MURK_BLOCK_PIXELS * MURK_BLOCK_PIXELS]);
 
 #endif

@@ -4,6 +4,7 @@
 #include "murk/bands.h"
 #include "murk/contrast.h"
 #include "murk/core.h"
+#include "murk/deep.h"
 #include "murk/exchange.h"
 #include "murk/false_color.h"
 #include "murk/image.h"

@@ -1,0 +1,1 @@
+murk image fixtures/puff.json -o a.exr --deep deep.png

@@ -1,0 +1,1 @@
+murk image fixtures/puffs.json -o p.#.exr --deep deep.exr
