@@ -5,9 +5,10 @@
 
 #include <stdbool.h>
 
-/* From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE remove unfinished outputs, clear the progress bar,
-   if there may be one, and then end the process as they would have. Signals that whoever started
-   murk ignores stay ignored. A file that grows too large is a failure to write, not a signal. */
+/* From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE remove unfinished outputs, clear the progress
+   bar, if there may be one, and then end the process as they would have. Signals that whoever
+   started murk ignores stay ignored. A file that grows too large is a failure to write, not a
+   signal. */
 void cli_signals_catch(bool bar);
 
 #endif

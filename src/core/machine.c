@@ -56,8 +56,8 @@ static uint64_t groups_limit(void)
         if (!controllers[1])
             limit = least(limit, group_limit("/sys/fs/cgroup", group, "memory.max"));
         else if (strstr(controllers, "memory"))
-            limit = least(limit,
-                          group_limit("/sys/fs/cgroup/memory", group, "memory.limit_in_bytes"));
+            limit =
+                least(limit, group_limit("/sys/fs/cgroup/memory", group, "memory.limit_in_bytes"));
     }
     if (file)
         fclose(file);
@@ -87,6 +87,8 @@ const char *murk_memory_text(uint64_t bytes, char text[MURK_MEMORY_TEXT])
 murk_status murk_memory_check(murk_context *context, const char *what, uint64_t bytes)
 {
     char need[MURK_MEMORY_TEXT], left[MURK_MEMORY_TEXT], used[MURK_MEMORY_TEXT];
+    if (bytes == UINT64_MAX)
+        return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", what);
     if (bytes <= murk_memory_left())
         return MURK_OK;
     return murk_fail(context, MURK_ERROR_MEMORY,

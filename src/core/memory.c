@@ -8,7 +8,7 @@
 
 static struct {
     _Atomic uint64_t used, peak, limit;
-    atomic_bool refused;      /* the limit did, not the system */
+    atomic_bool refused;       /* the limit did, not the system */
     _Atomic int64_t fail_next; /* allocations that succeed before one fails, -1: none does */
 } memory = {.fail_next = -1};
 
@@ -28,6 +28,11 @@ uint64_t murk_memory_peak(void)
     return atomic_load(&memory.peak);
 }
 
+void murk_memory_restart_peak(void)
+{
+    atomic_store(&memory.peak, atomic_load(&memory.used));
+}
+
 uint64_t murk_memory_left(void)
 {
     uint64_t limit = atomic_load(&memory.limit), used = atomic_load(&memory.used);
@@ -44,6 +49,11 @@ uint64_t murk_memory_refused(void)
 void murk_memory_fail_after(int64_t allocations)
 {
     atomic_store(&memory.fail_next, allocations);
+}
+
+bool murk_memory_failed(void)
+{
+    return atomic_load(&memory.fail_next) < 0;
 }
 
 static bool may_take(size_t bytes)

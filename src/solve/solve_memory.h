@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What solving takes, before it begins. Who adds an array over zones or patches adds it here: a test
-   compares with what is taken. */
+/* What solving takes, before it begins. Who adds an array over zones or patches adds it here: a
+   test compares with what is taken. */
 #ifndef MURK_SOLVE_SOLVE_MEMORY_H
 #define MURK_SOLVE_SOLVE_MEMORY_H
 

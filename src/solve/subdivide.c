@@ -177,7 +177,7 @@ static bool may_halve(murk_context *context, const murk_subdivision *level,
 {
     uint64_t bytes = murk_halved_memory(context, level->solution, (size_t)level->count, options);
     char need[MURK_MEMORY_TEXT], left[MURK_MEMORY_TEXT];
-    if (bytes <= murk_memory_left())
+    if (bytes < UINT64_MAX && bytes <= murk_memory_left())
         return true;
     murk_warn(context,
               "voxels of half the size would need about %s, the memory limit leaves %s: solved "

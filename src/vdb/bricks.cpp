@@ -63,8 +63,8 @@ template <class Grid> double count_bytes(const Grid &grid)
         const Coord size = tile.dim();
         bricks += double(size[0]) * double(size[1]) * double(size[2]);
     });
-    const double each = sizeof(origin<typename Grid::TreeType::LeafNodeType>) +
-                        sizeof(int32_t[3]) + sizeof(uint64_t[8]) + MURK_BRICK_SLOTS * sizeof(float);
+    const double each = sizeof(origin<typename Grid::TreeType::LeafNodeType>) + sizeof(int32_t[3]) +
+                        sizeof(uint64_t[8]) + MURK_BRICK_SLOTS * sizeof(float);
     return bricks * each;
 }
 
@@ -117,8 +117,8 @@ murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t i
         double bytes = 0;
         murk_vdb_typed(*item.grid, [&](const auto &grid) { bytes = count_bytes(grid); });
         const std::string what = vdb->path + ", grid " + item.name + ": reading";
-        if (murk_status status = murk_memory_check(context, what.c_str(),
-                                                   uint64_t(std::min(bytes, 1e18))))
+        if (murk_status status =
+                murk_memory_check(context, what.c_str(), uint64_t(std::min(bytes, 1e18))))
             return status;
         murk_vdb_typed(*item.grid,
                        [&](const auto &grid) { complete = copy(grid, component, bricks); });
