@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
+#include "memory.h"
 #include "murk/murk.h"
 
 #include "image.h"
@@ -130,6 +131,9 @@ murk_status murk_render(murk_context *context, const murk_scene *scene,
                          "the solution belongs to another scene; solve this one");
     murk_view view;
     murk_status status = make_view(context, solution->ground, camera, &view);
+    if (status)
+        return status;
+    status = murk_memory_check(context, "the picture", murk_render_memory(scene, camera, 0));
     if (status)
         return status;
     murk_image *image = NULL;
