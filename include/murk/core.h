@@ -50,7 +50,8 @@ MURK_API const char *murk_status_text(murk_status status);
 /* Context                                                                                     */
 /* ------------------------------------------------------------------------------------------ */
 
-/** Holds threads, log, progress and the last message. There is no global state. */
+/** Holds threads, log, progress and the last message. There is no global state but the
+ *  count of memory (memory.h) and the names of unfinished outputs. */
 typedef struct murk_context murk_context;
 
 /** What a line of the log is about: something the user should know, or what is being done. */
@@ -92,6 +93,12 @@ MURK_API const char *murk_context_message(const murk_context *context);
  *  MURK_ERROR_IO where that is impossible. */
 MURK_API murk_status murk_file_write(murk_context *context, const char *path, const void *bytes,
                                      size_t size);
+
+/**
+ * Removes what outputs that are not complete have left in their folders, for programs that a signal
+ * ends: murk installs no handlers. Async-signal-safe; the process must end after it.
+ */
+MURK_API void murk_outputs_abandon(void);
 
 /** Fails as murk_file_write() would for this path, as far as that can be told before. */
 MURK_API murk_status murk_file_check(murk_context *context, const char *path);

@@ -339,6 +339,7 @@ typedef struct murk_solve_options {
 /** What a solve did; energies in W over the medium, times in s. */
 typedef struct murk_report {
     uint64_t zones, patches, bricks;
+    uint64_t memory; /**< estimated before solving: see murk_solve_memory() [bytes] */
     const char *method, *solver, *kernel;
     int threads;
     int directions;   /**< of the final quadrature; 0 for pairwise */

@@ -2,7 +2,9 @@
 #include "job.h"
 
 #include "jobs.h"
+#include "murk/memory.h"
 #include "pattern.h"
+#include "signals.h"
 
 #include <errno.h>
 #include <math.h>
@@ -32,8 +34,11 @@ int cli_exit_status(murk_status status)
 
 murk_status cli_job_fail(struct cli_job *job, murk_status status)
 {
-    if (cli_job_failed(status))
-        cli_error(&job->terminal, "%s", murk_context_message(job->context));
+    const char *message = murk_context_message(job->context);
+    if (status == MURK_ERROR_MEMORY)
+        cli_error(&job->terminal, "%s: %s (--max-memory)", job->options->input, message);
+    else if (cli_job_failed(status))
+        cli_error(&job->terminal, "%s", message);
     return status;
 }
 
@@ -45,6 +50,9 @@ murk_status cli_job_start(struct cli_job *job, const struct cli_options *options
                             .command_line = command_line,
                             .started = cli_seconds()};
     cli_terminal_init(&job->terminal, options->quiet, options->verbose);
+    cli_signals_catch(job->terminal.bar);
+    murk_memory_limit(isnan(options->max_memory) ? murk_memory_machine()
+                                                 : (uint64_t)options->max_memory);
     murk_context_options context = MURK_CONTEXT_DEFAULT;
     context.threads = cli_threads(options);
     context.kernel = options->kernel >= 0 ? CLI_KERNELS[options->kernel] : NULL;

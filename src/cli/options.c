@@ -112,6 +112,7 @@ static void set_defaults(struct cli_options *options)
         .runs = 3,
         .netd = NAN,
         .snr = NAN,
+        .max_memory = NAN,
         .against = -1,
         .kernel = -1,
     };

@@ -84,6 +84,7 @@ struct cli_options {
     int against; /* one of enum cli_against */
 
     int threads, kernel;
+    double max_memory; /* bytes */
     bool json, quiet, verbose, help;
 };
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "report.h"
 
+#include "murk/memory.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -180,6 +182,15 @@ static json_t *seconds_json(const struct cli_job *job, const murk_report *report
     return object;
 }
 
+/* Bytes: what was estimated of the solve, and what the whole process took so far. */
+static json_t *memory_json(const murk_report *report)
+{
+    json_t *object = json_object();
+    json_object_set_new(object, "estimate", json_integer((json_int_t)report->memory));
+    json_object_set_new(object, "peak", json_integer((json_int_t)murk_memory_peak()));
+    return object;
+}
+
 void cli_report_json(const struct cli_job *job, murk_status status)
 {
     const struct cli_options *options = job->options;
@@ -209,6 +220,7 @@ void cli_report_json(const struct cli_job *job, murk_status status)
     json_object_set_new(object, "energy", energy_json(report));
     if (job->scene.band[0].name)
         json_object_set_new(object, "bands", bands_json(job));
+    json_object_set_new(object, "memory", memory_json(report));
     json_object_set_new(object, "seconds", seconds_json(job, report));
     cli_print_json(object);
 }

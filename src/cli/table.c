@@ -227,6 +227,11 @@ static const struct cli_option TABLE[] = {
     {"threads", 0, CLI_ALL, GENERAL, "N", "threads in all (OMP_NUM_THREADS, or all processors)",
      .value = cli_value_count, FIELD(threads), WHOLE(1, 4096, "a whole number from 1 to 4096"),
      .aside = true},
+    {"max-memory", 0, CLI_VOLUME, GENERAL, "SIZE",
+     "the memory that the work may take, such as 8G or 512M; what needs more is refused before it "
+     "begins; not given: what the machine can give",
+     .value = cli_value_bytes, FIELD(max_memory),
+     .expected = "a number of bytes such as 8G, 512M or 2GiB", .aside = true},
     {"kernel", 0, CLI_ALL & ~(CLI_INFO | CLI_CONTRAST), GENERAL, "K",
      "avx512, avx2 or portable; the fastest that this processor has", CHOICE(kernel, CLI_KERNELS)},
     {"quiet", 'q', CLI_ALL, GENERAL, NULL, "print errors only", FLAG(quiet), .aside = true},

@@ -89,6 +89,26 @@ bool cli_value_percent(const char *text, void *field, const struct cli_option *o
     return true;
 }
 
+bool cli_value_bytes(const char *text, void *field, const struct cli_option *option)
+{
+    static const char UNITS[] = "KMGT";
+    double value;
+    (void)option;
+    if (!number_at(&text, &value))
+        return false;
+    const char *unit = *text ? strchr(UNITS, toupper((unsigned char)*text)) : NULL;
+    if (unit) {
+        value = ldexp(value, 10 * (int)(unit - UNITS + 1));
+        text++;
+        text += *text == 'i' && text[1] == 'B';
+    }
+    text += *text == 'B';
+    if (*text || !(value >= 1 && value < 1e18))
+        return false;
+    *(double *)field = value;
+    return true;
+}
+
 bool cli_value_count(const char *text, void *field, const struct cli_option *option)
 {
     return whole_numbers(text, 1, field, option);

@@ -9,6 +9,7 @@ cli_value_fn cli_value_flag;    /* bool; text is NULL */
 cli_value_fn cli_value_text;    /* const char *, not empty */
 cli_value_fn cli_value_number;  /* double in [min, max] */
 cli_value_fn cli_value_percent; /* double in (0, 1): "1%" or "0.01" */
+cli_value_fn cli_value_bytes;   /* double >= 1: "512M" or "2GiB", in powers of 1024 */
 cli_value_fn cli_value_count;   /* int in [min, max] */
 cli_value_fn cli_value_vector;  /* double[3]: "1,2,3" */
 cli_value_fn cli_value_range;   /* double[2], the first below the second: "280:320" */

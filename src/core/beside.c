@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,6 +26,13 @@ static char *name_beside(const char *target, int n)
     return path;
 }
 
+static bool nameless = true;
+
+void murk_beside_allow_nameless(bool allow)
+{
+    nameless = allow;
+}
+
 /* A file in the target's folder that has no name until it is complete, so that nothing of it is
    left whatever ends the process; -1 where the system has no such files. */
 static int create_nameless(const char *target)
@@ -43,24 +51,58 @@ static int create_nameless(const char *target)
 #endif
 }
 
-enum { TRIES = 1000 };
+enum { TRIES = 1000, MOST_NAMED = 64 };
+
+/* Names of files that are not complete, which a signal handler may remove at any time: who takes a
+   name out of its place owns it. */
+static _Atomic(char *) named[MOST_NAMED];
+
+static void enter(char *path)
+{
+    for (int n = 0; n < MOST_NAMED; n++) {
+        char *none = NULL;
+        if (atomic_compare_exchange_strong(&named[n], &none, path))
+            return;
+    }
+}
+
+/* Frees a name; not one that a signal handler has just taken. */
+static void strike(char *path)
+{
+    int reason = errno, n = 0;
+    while (n < MOST_NAMED && atomic_load(&named[n]) != path)
+        n++;
+    char *mine = path;
+    if (n == MOST_NAMED || atomic_compare_exchange_strong(&named[n], &mine, NULL))
+        free(path);
+    errno = reason;
+}
+
+void murk_outputs_abandon(void)
+{
+    for (int n = 0; n < MOST_NAMED; n++) {
+        const char *path = atomic_exchange(&named[n], NULL);
+        if (path)
+            unlink(path);
+    }
+}
 
 /* A new file in the target's folder, with the permissions that any new file gets. */
 static int create_beside(const char *target, char **temporary)
 {
-    int file = create_nameless(target);
+    int file = nameless ? create_nameless(target) : -1;
     for (int n = 0; file < 0 && n < TRIES; n++) {
         char *path = name_beside(target, n);
-        if (path)
-            file = open(path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (!path)
+            return -1;
+        enter(path); /* first, so that a signal finds it; the name is this process's alone */
+        file = open(path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file >= 0) {
             *temporary = path;
             break;
         }
-        int reason = errno;
-        free(path);
-        errno = reason;
-        if (reason != EEXIST)
+        strike(path);
+        if (errno != EEXIST)
             break;
     }
     return file;
@@ -75,14 +117,13 @@ static int give_name(murk_beside *beside)
         char *path = name_beside(beside->target, n);
         if (!path)
             return -1;
+        enter(path);
         if (!linkat(AT_FDCWD, here, AT_FDCWD, path, AT_SYMLINK_FOLLOW)) {
             beside->temporary = path;
             return 0;
         }
-        int reason = errno;
-        free(path);
-        errno = reason;
-        if (reason != EEXIST)
+        strike(path);
+        if (errno != EEXIST)
             break;
     }
     return -1;
@@ -159,7 +200,8 @@ murk_status murk_beside_write(murk_context *context, murk_beside *beside, const 
 static void forget(murk_beside *beside)
 {
     free(beside->target);
-    free(beside->temporary);
+    if (beside->temporary)
+        strike(beside->temporary);
     *beside = (murk_beside){.file = -1};
 }
 

@@ -33,6 +33,10 @@ murk_status murk_beside_finish(murk_context *context, murk_beside *beside);
 /* Closes and removes what was written; does nothing after murk_beside_finish(). */
 void murk_beside_discard(murk_beside *beside);
 
+/* For tests: whether files may be without a name until they are complete; where the file system
+   has no such files they never are. */
+void murk_beside_allow_nameless(bool allow);
+
 #ifdef __cplusplus
 }
 #endif

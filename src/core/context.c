@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "context.h"
 
+#include "memory.h"
+
 #include <omp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -61,6 +63,13 @@ murk_status murk_fail(murk_context *context, murk_status status, const char *for
     va_start(arguments, format);
     vsnprintf(context->message, sizeof context->message, format, arguments);
     va_end(arguments);
+    uint64_t limit = status == MURK_ERROR_MEMORY ? murk_memory_refused() : 0;
+    if (limit) {
+        char text[MURK_MEMORY_TEXT];
+        size_t end = strlen(context->message);
+        snprintf(context->message + end, sizeof context->message - end,
+                 ": the memory limit is %s; use a larger one", murk_memory_text(limit, text));
+    }
     return status;
 }
 

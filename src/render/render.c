@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
+#include "memory.h"
 #include "murk/murk.h"
 
 #include "image.h"
@@ -136,6 +137,9 @@ murk_status murk_render(murk_context *context, const murk_scene *scene,
         options = &defaults;
     murk_view view;
     murk_status status = murk_shot_view(context, scene, solution, camera, &view);
+    if (status)
+        return status;
+    status = murk_memory_check(context, "the picture", murk_render_memory(scene, camera, 0));
     if (status)
         return status;
     murk_image *image = NULL;

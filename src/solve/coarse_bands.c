@@ -27,7 +27,7 @@ static double zone_depth(const murk_medium *medium)
     return sum > 0 ? edge * square / sum : 0;
 }
 
-static int choose_shift(const murk_medium *medium)
+int murk_coarse_choose_shift(const murk_medium *medium)
 {
     double depth = zone_depth(medium);
     int shift = 0;
@@ -54,7 +54,7 @@ murk_status murk_coarse_bands_create(murk_context *context, murk_solution *const
                                      const murk_solve_options *options, murk_coarse_bands *out)
 {
     bool bent = stage->bend.zones.count;
-    int shift = stage->halved || bent ? 0 : choose_shift(solution[0]->medium);
+    int shift = stage->halved || bent ? 0 : murk_coarse_choose_shift(solution[0]->medium);
     *out = (murk_coarse_bands){
         .context = context, .set = bent, .max_iterations = options->max_iterations};
     murk_status status = MURK_OK;

@@ -45,6 +45,9 @@ murk_status murk_coarse_probe(murk_coarse_bands *bands, int directions, int rays
 /* The relative residuals of x on the directions of the solution, with lines elsewhere. */
 murk_status murk_coarse_lattice(murk_coarse_bands *bands, double out[]);
 
+/* Edges of coarse zones are 2^this voxels where no source varies within zones. */
+int murk_coarse_choose_shift(const murk_medium *medium);
+
 /* Adds what a traced set of lines did to the sums. */
 void murk_coarse_count(murk_coarse_bands *bands, const murk_lines *lines);
 

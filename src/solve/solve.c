@@ -5,6 +5,7 @@
 #include "levels.h"
 #include "multiplications.h"
 #include "similarity.h"
+#include "solve_memory.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -148,6 +149,12 @@ static murk_status solve(murk_context *context, const murk_scene scene[], size_t
     if (!solution)
         return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu scenes", count);
     murk_status status = create(context, scene, count, options, solution);
+    uint64_t bytes =
+        status || !count ? 0 : murk_solve_memory_left(context, solution, count, options);
+    if (!status)
+        status = murk_memory_check(context, "solving", bytes);
+    for (size_t n = 0; !status && n < count; n++)
+        solution[n]->report.memory = murk_memory_used() + bytes;
     if (!status)
         status = fill(context, scene, count, options, start, solution);
     for (size_t n = 0; n < count; n++) {

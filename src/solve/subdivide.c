@@ -9,13 +9,14 @@
 #include "coarse.h"
 #include "quadrature.h"
 #include "refine.h"
+#include "solve_memory.h"
 #include "spatial.h"
 
 #include <math.h>
 
 /* The part of the tolerance that the light's variation within zones may use up before they are
    halved, before they get slopes, and what it may use up in thin zones of halved voxels. */
-static const double HALVED = 0.5, BENT = 0.3, LEFT = 0.05;
+static const double HALVED = 0.5, BENT = MURK_BENT_PART, LEFT = 0.05;
 /* A halving divides the error by about this: measured 3.2 ... 7. */
 static const double ORDER = 4;
 
@@ -170,6 +171,21 @@ static bool next_errors(const murk_solve_options *options, double goal, int left
     return halve_them;
 }
 
+/* Whether memory allows another halving; without it the tolerance may not be reached. */
+static bool may_halve(murk_context *context, const murk_subdivision *level,
+                      const murk_solve_options *options)
+{
+    uint64_t bytes = murk_halved_memory(context, level->solution, (size_t)level->count, options);
+    char need[MURK_MEMORY_TEXT], left[MURK_MEMORY_TEXT];
+    if (bytes < UINT64_MAX && bytes <= murk_memory_left())
+        return true;
+    murk_warn(context,
+              "voxels of half the size would need about %s, the memory limit leaves %s: solved "
+              "without them",
+              murk_memory_text(bytes, need), murk_memory_text(murk_memory_left(), left));
+    return false;
+}
+
 /* Halves voxels until their error, which is set, is small enough in each band or will not become
    so; the last level is to be solved with all directions. Who asks for a number of directions asks
    for the voxels as they are. */
@@ -182,6 +198,8 @@ static murk_status descend(murk_context *context, const murk_solve_options *opti
     for (int left;
          go_on && !options->directions && (left = halvings_left(&level[*last], *last)) > 0;) {
         double change[MURK_MOST_BANDS];
+        if (!may_halve(context, &level[*last], options))
+            return MURK_OK;
         murk_status status = halve(context, &level[*last], *last + 1, options, &level[*last + 1]);
         if (!status)
             status = compare(context, options, &level[*last], &level[*last + 1], change);

@@ -2,6 +2,7 @@
 /* Trees to bricks and back. */
 #include "guard.hpp"
 #include "handle.hpp"
+#include "memory.h"
 #include "vdb.h"
 
 #include <algorithm>
@@ -53,6 +54,20 @@ template <class Grid> auto find_origins(const Grid &grid, int component)
     return found;
 }
 
+/* Tiles are small in a file and large as bricks: what they come to, before any is made. */
+template <class Grid> double count_bytes(const Grid &grid)
+{
+    double bricks = double(grid.tree().leafCount());
+    murk_vdb_each_tile(grid, [&](const CoordBBox &box, const auto &) {
+        const CoordBBox tile(brick_of(box.min()), brick_of(box.max()));
+        const Coord size = tile.dim();
+        bricks += double(size[0]) * double(size[1]) * double(size[2]);
+    });
+    const double each = sizeof(origin<typename Grid::TreeType::LeafNodeType>) + sizeof(int32_t[3]) +
+                        sizeof(uint64_t[8]) + MURK_BRICK_SLOTS * sizeof(float);
+    return bricks * each;
+}
+
 template <class Leaf>
 void fill(const origin<Leaf> &from, int component, uint64_t mask[8], float *values)
 {
@@ -99,11 +114,12 @@ murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t i
                              vdb->path.c_str(), item.name.c_str(), item.unreadable.c_str());
         murk_bricks bricks{};
         bool complete = false;
-        const auto take = [&](const auto &grid) { complete = copy(grid, component, bricks); };
-        if (murk_vdb_is_level_set(*item.grid))
-            take(*murk_vdb_inside(*item.grid));
-        else
-            murk_vdb_typed(*item.grid, take);
+        double bytes = 0;
+        const auto take = [&](const auto &grid) {
+            bytes = count_bytes(grid);
+            if (bytes <= double(murk_memory_left()))
+                complete = copy(grid, component, bricks);
+        };
         if (!complete) {
             murk_bricks_clear(&bricks);
             throw std::bad_alloc();
