@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Trees to bricks and back. */
-#include "guard.hpp"
+/* Trees to bricks. */
 #include "handle.hpp"
-#include "vdb.h"
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
 using openvdb::Coord;
@@ -68,45 +65,25 @@ void fill(const origin<Leaf> &from, int component, uint64_t mask[8], float *valu
     }
 }
 
-template <class Grid> bool copy(const Grid &grid, int component, murk_bricks &bricks)
+template <class Grid>
+void copy(const Grid &grid, int component, const std::function<void(murk_bricks &)> &allocate,
+          murk_bricks &bricks)
 {
     const auto found = find_origins(grid, component);
     bricks.count = found.size();
     bricks.background = pick(grid.background(), component);
-    bricks.brick = static_cast<int32_t(*)[3]>(murk_alloc(found.size(), sizeof *bricks.brick));
-    bricks.mask = static_cast<uint64_t(*)[8]>(murk_alloc(found.size(), sizeof *bricks.mask));
-    bricks.values =
-        static_cast<float *>(murk_alloc(found.size() * MURK_BRICK_SLOTS, sizeof(float)));
-    if (!bricks.brick || !bricks.mask || !bricks.values)
-        return false;
+    allocate(bricks);
     for (size_t b = 0; b < found.size(); b++) {
         for (int a = 0; a < 3; a++)
             bricks.brick[b][a] = found[b].brick[a];
         fill(found[b], component, bricks.mask[b], bricks.values + b * MURK_BRICK_SLOTS);
     }
-    return true;
 }
 
 } // namespace
 
-murk_status murk_vdb_bricks(murk_context *context, const murk_vdb *vdb, size_t index, int component,
-                            murk_bricks *out) noexcept
+void murk_vdb_copy(const murk_vdb_item &item, int component,
+                   const std::function<void(murk_bricks &)> &allocate, murk_bricks &bricks)
 {
-    return murk_guard(context, vdb->path.c_str(), [&]() -> murk_status {
-        const murk_vdb_item &item = vdb->items[index];
-        if (!item.grid)
-            return murk_fail(context, MURK_ERROR_INPUT, "%s, grid %s: cannot be used: %s",
-                             vdb->path.c_str(), item.name.c_str(), item.unreadable.c_str());
-        murk_bricks bricks{};
-        bool complete = false;
-        murk_vdb_typed(*item.grid,
-                       [&](const auto &grid) { complete = copy(grid, component, bricks); });
-        if (!complete) {
-            murk_bricks_clear(&bricks);
-            throw std::bad_alloc();
-        }
-        std::memcpy(bricks.index_to_world, item.info.index_to_world, sizeof bricks.index_to_world);
-        *out = bricks;
-        return MURK_OK;
-    });
+    murk_vdb_typed(*item.grid, [&](const auto &grid) { copy(grid, component, allocate, bricks); });
 }
