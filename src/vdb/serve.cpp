@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The process that reads a volume and keeps its grids: the only one that gives foreign bytes to
-   OpenVDB. */
+   OpenVDB. Its threads stayed behind, so nothing here may call on TBB. */
 #include "descriptor.hpp"
 #include "guard.hpp"
 #include "handle.hpp"
 
 #include <cinttypes>
-#include <openvdb/io/Stream.h>
+#include <openvdb/io/Archive.h>
+#include <openvdb/io/GridDescriptor.h>
 #include <ostream>
 #include <sys/mman.h>
-#include <tbb/task_arena.h>
 #include <unistd.h>
 
 namespace
@@ -86,16 +86,35 @@ murk_status put_bricks(const murk_vdb_item &item, int component, int file)
     return MURK_OK;
 }
 
-/* Plain bytes, which nobody stores. */
+/* A stream of one grid in plain bytes. Archive::write() would have TBB collect metadata first. */
+class archive : public openvdb::io::Archive
+{
+  public:
+    void put(std::ostream &output, const openvdb::GridBase &grid)
+    {
+        const int32_t count = 1;
+        setCompression(openvdb::io::COMPRESS_NONE);
+        writeHeader(output, false);
+        openvdb::MetaMap().writeMeta(output);
+        output.write(reinterpret_cast<const char *>(&count), sizeof count);
+        const openvdb::io::GridDescriptor descriptor(grid.getName(), grid.type(),
+                                                     grid.saveFloatAsHalf());
+        descriptor.writeHeader(output);
+        descriptor.writeStreamPos(output);
+        setGridCompression(output, grid);
+        grid.writeMeta(output);
+        grid.writeTransform(output);
+        grid.writeTopology(output);
+        grid.writeBuffers(output);
+    }
+};
+
 murk_status put_grid(const murk_vdb_item &item, int file)
 {
     murk_descriptor descriptor(file);
     std::ostream output(&descriptor);
     output.exceptions(std::ios::failbit | std::ios::badbit);
-    openvdb::io::Stream archive(output);
-    archive.setCompression(openvdb::io::COMPRESS_NONE);
-    archive.setGridStatsMetadataEnabled(false);
-    archive.write(openvdb::GridCPtrVec{item.grid});
+    archive().put(output, *item.grid);
     output.flush();
     return MURK_OK;
 }
@@ -116,9 +135,6 @@ murk_status murk_vdb_serve(murk_context *context, void *data, const murk_apart_q
                            int file)
 {
     const murk_vdb_job &job = *static_cast<murk_vdb_job *>(data);
-    return murk_guard(context, job.vdb->path.c_str(), [&] {
-        /* TBB's threads, if there were any, stayed behind. */
-        tbb::task_arena alone(1);
-        return alone.execute([&] { return answer(context, job, *question, file); });
-    });
+    return murk_guard(context, job.vdb->path.c_str(),
+                      [&] { return answer(context, job, *question, file); });
 }
