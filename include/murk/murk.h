@@ -62,9 +62,18 @@ typedef struct murk_grid_info {
 } murk_grid_info;
 
 /**
- * Reads a VDB file; "-" reads a VDB stream from standard input. The header and the grid offsets
- * are checked against the file's size before OpenVDB sees it; nothing is loaded lazily.
- * Fails with MURK_ERROR_INPUT for a missing, truncated or foreign file.
+ * Reads a VDB file; "-" reads a VDB stream from standard input. The header, the grid offsets and
+ * all nodes are checked against the file's size before OpenVDB sees it; nothing is loaded lazily.
+ * Fails with MURK_ERROR_INPUT for a missing, truncated, damaged or foreign file.
+ *
+ * OpenVDB reads in a child process with limits of memory and processor time, which keeps the grids
+ * until murk_volume_release(), so that no file can hurt the program. The child is made by fork()
+ * and calls no exec(); it keeps no descriptor and no signal handler of the program and ends with
+ * it. For a program this means:
+ * - other threads may run, but none should be inside OpenVDB while a volume is read;
+ * - a SIGCHLD may come when the child ends; murk waits for its child alone and leaves no zombie,
+ *   also where the program ignores SIGCHLD or waits for any child;
+ * - a volume belongs to the process that has read it, and not to a fork() of that.
  */
 MURK_API murk_status murk_volume_read(murk_context *context, const char *path, murk_volume **out);
 /** Releases a volume and the strings of its grids; NULL is nothing. */

@@ -104,6 +104,19 @@ class tally
     bool any_ = false;
 };
 
+/* The grid's own counts are made by TBB, whose locks a thread of the parent may have held at the
+   moment of the fork. */
+void count_active(const openvdb::GridBase &grid, murk_grid_info &info)
+{
+    using known = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Int32Grid,
+                                    openvdb::Int64Grid, openvdb::Vec3IGrid, openvdb::Vec3SGrid,
+                                    openvdb::Vec3DGrid, openvdb::BoolGrid, openvdb::MaskGrid>;
+    grid.apply<known>([&](const auto &typed) {
+        info.active_voxels = typed.tree().root().onVoxelCount();
+        info.active_tiles = typed.tree().root().onTileCount();
+    });
+}
+
 void describe_place(const openvdb::GridBase &grid, murk_grid_info &info)
 {
     CoordBBox box; /* inverted until something is found */
@@ -199,8 +212,7 @@ void murk_vdb_describe(const openvdb::GridBase &grid, murk_vdb_item &item)
     const bool is_half = grid.isType<openvdb::FloatGrid>() && grid.saveFloatAsHalf();
     item.type = is_half ? "half" : grid.valueType();
     item.grid_class = openvdb::GridBase::gridClassToString(grid.getGridClass());
-    info.active_voxels = grid.activeVoxelCount();
-    info.active_tiles = grid.constBaseTree().activeTileCount();
+    count_active(grid, info);
     describe_place(grid, info);
     item.unreadable = find_obstacle(grid, item);
     if (item.unreadable.empty())

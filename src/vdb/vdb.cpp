@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Reads the grids of a file or stream one by one. Each is given to OpenVDB as a stream of its own,
- * made of the file's checked header and that grid's bytes alone, which throws at its end: a damaged
- * grid can neither read nor seek beyond itself, and the others stay readable.
+ * Reads the grids of a file or stream one by one, in the process that serve.cpp keeps for that.
+ * Each is given to OpenVDB as a stream of its own, made of the file's checked header and that
+ * grid's bytes alone, which throws at its end: a damaged grid can neither read nor seek beyond
+ * itself, and the others stay readable.
  */
 #include "vdb.h"
 
@@ -21,18 +22,6 @@
 namespace
 {
 
-struct source : murk_source {
-    source() : murk_source{nullptr, -1, nullptr, 0}
-    {
-    }
-    ~source()
-    {
-        murk_source_close(this);
-    }
-    source(const source &) = delete;
-    source &operator=(const source &) = delete;
-};
-
 struct failure {
     murk_status status;
 };
@@ -47,7 +36,7 @@ void check(murk_status status)
 class bytes
 {
   public:
-    bytes(murk_context *context, const source &from, uint64_t start, uint64_t end)
+    bytes(murk_context *context, const murk_source &from, uint64_t start, uint64_t end)
         : data_(from.memory ? from.memory + start : nullptr), size_(end - start)
     {
         if (from.memory)
@@ -80,7 +69,7 @@ class bytes
 class part
 {
   public:
-    part(murk_context *context, const source &from, const murk_vdb_header &header,
+    part(murk_context *context, const murk_source &from, const murk_vdb_header &header,
          const murk_vdb_entry &entry)
         : entry_(entry), bytes_(context, from, entry.start, entry.end ? entry.end : from.size)
     {
@@ -119,7 +108,7 @@ class part
 class reader
 {
   public:
-    reader(murk_context *context, source &from, murk_vdb &vdb)
+    reader(murk_context *context, const murk_source &from, murk_vdb &vdb)
         : context_(context), source_(from), vdb_(vdb)
     {
         check(murk_vdb_check(context, &from, &header_));
@@ -133,6 +122,14 @@ class reader
             check(murk_vdb_check_entry(context, &from, &header_, start, &entries_.back()));
             start = entries_.back().end;
         }
+    }
+
+    /* The grid of a stream of one. */
+    openvdb::GridBase::Ptr read_only_grid()
+    {
+        entries_.emplace_back();
+        check(murk_vdb_check_entry(context_, &source_, &header_, header_.first, &entries_.back()));
+        return load(entries_.back());
     }
 
     void read()
@@ -162,14 +159,6 @@ class reader
         return item;
     }
 
-    static void finish_item(murk_vdb_item &item)
-    {
-        item.info.name = item.name.c_str();
-        item.info.type = item.type.c_str();
-        item.info.grid_class = item.grid_class.c_str();
-        item.info.unreadable = item.info.readable ? nullptr : item.unreadable.c_str();
-    }
-
     void read_grid(murk_vdb_entry &entry)
     {
         murk_vdb_item &item = add_item(entry.label);
@@ -188,7 +177,7 @@ class reader
         } catch (const std::exception &error) {
             refuse(entry, item, murk_reason(error));
         }
-        finish_item(item);
+        item.point();
         if (item.components == 3 && !is_radiosity(entry))
             item.components = 0; /* a velocity would take memory for nothing */
         if (item.components)
@@ -204,7 +193,7 @@ class reader
         item.unreadable = "what comes behind grid " + behind +
                           " in a stream, which does not tell where that one ends; write a file, or "
                           "such grids last";
-        finish_item(item);
+        item.point();
     }
 
     openvdb::GridBase::Ptr load(murk_vdb_entry &entry)
@@ -276,7 +265,7 @@ class reader
     }
 
     murk_context *context_;
-    const source &source_;
+    const murk_source &source_;
     murk_vdb &vdb_;
     murk_vdb_header header_{};
     std::deque<murk_vdb_entry> entries_;
@@ -285,16 +274,25 @@ class reader
 
 } // namespace
 
-murk_status murk_vdb_read(murk_context *context, const char *path, murk_vdb **out) noexcept
+murk_status murk_vdb_load(murk_context *context, const murk_source &from, murk_vdb &vdb) noexcept
 {
-    return murk_guard(context, murk_source_name(path), [&]() -> murk_status {
+    return murk_guard(context, from.where, [&]() -> murk_status {
         try {
-            source from;
-            check(murk_source_open(context, path, &from));
-            std::unique_ptr<murk_vdb> vdb(new murk_vdb);
-            vdb->path = from.where;
-            reader(context, from, *vdb).read();
-            *out = vdb.release();
+            reader(context, from, vdb).read();
+            return MURK_OK;
+        } catch (const failure &failed) {
+            return failed.status;
+        }
+    });
+}
+
+murk_status murk_vdb_load_grid(murk_context *context, const murk_source &from,
+                               openvdb::GridBase::Ptr &out) noexcept
+{
+    return murk_guard(context, from.where, [&]() -> murk_status {
+        try {
+            murk_vdb unused;
+            out = reader(context, from, unused).read_only_grid();
             return MURK_OK;
         } catch (const failure &failed) {
             return failed.status;

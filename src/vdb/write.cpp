@@ -9,8 +9,10 @@
 
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <openvdb/io/Archive.h>
 #include <ostream>
+#include <utility>
 
 namespace
 {
@@ -55,11 +57,30 @@ openvdb::math::Transform::Ptr make_transform(const double m[16])
     return transform;
 }
 
-/* Transform::copy() would simplify; this shares what stands behind it. */
-openvdb::math::Transform::Ptr share_transform(const murk_vdb &vdb, size_t index)
+/* The grids that are passed on or lend their transform, each fetched once. */
+class fetched
 {
-    return openvdb::math::Transform::Ptr(
-        new openvdb::math::Transform(vdb.items[index].grid->transform()));
+  public:
+    explicit fetched(murk_context *context) : context_(context)
+    {
+    }
+    murk_status get(const murk_vdb *vdb, size_t index, openvdb::GridBase::Ptr &out)
+    {
+        openvdb::GridBase::Ptr &grid = grids_[{vdb, index}];
+        const murk_status status = grid ? MURK_OK : murk_vdb_fetch(context_, *vdb, index, grid);
+        out = grid;
+        return status;
+    }
+
+  private:
+    murk_context *context_;
+    std::map<std::pair<const murk_vdb *, size_t>, openvdb::GridBase::Ptr> grids_;
+};
+
+/* Transform::copy() would simplify; this shares what stands behind it. */
+openvdb::math::Transform::Ptr share_transform(const openvdb::GridBase &grid)
+{
+    return openvdb::math::Transform::Ptr(new openvdb::math::Transform(grid.transform()));
 }
 
 /* value(i): of slot i of all bricks. */
@@ -146,10 +167,15 @@ murk_status murk_vdb_write(murk_context *context, const char *path, const murk_v
     const char *where = std::strcmp(path, "-") ? path : "standard output";
     return murk_guard(context, where, [&]() -> murk_status {
         openvdb::GridCPtrVec written;
+        openvdb::GridBase::Ptr other;
+        fetched passed(context);
         for (size_t i = 0; i < grid_count; i++) {
             const murk_vdb_grid &from = grids[i];
             if (from.pass) {
-                written.push_back(from.pass->items[from.pass_index].grid);
+                const murk_status status = passed.get(from.pass, from.pass_index, other);
+                if (status)
+                    return status;
+                written.push_back(other);
                 continue;
             }
             const float maximum = as_half ? find_maximum(from) : 0;
@@ -160,7 +186,10 @@ murk_status murk_vdb_write(murk_context *context, const char *path, const murk_v
                                  where, from.name, double(maximum));
             openvdb::GridBase::Ptr grid = make_grid(from);
             grid->setSaveFloatAsHalf(as_half);
-            grid->setTransform(transform_of ? share_transform(*transform_of, transform_index)
+            if (transform_of)
+                if (const murk_status status = passed.get(transform_of, transform_index, other))
+                    return status;
+            grid->setTransform(transform_of ? share_transform(*other)
                                             : make_transform(from.bricks->index_to_world));
             written.push_back(grid);
         }
