@@ -19,7 +19,7 @@ struct cli_job {
     char *obscurant;             /* of --obscurant, from the root */
     struct scene scene;
     murk_solution *start[SCENE_BANDS_MAX];    /* of the frame before, until this one is solved */
-    murk_solution *solution[SCENE_BANDS_MAX]; /* of the scene's bands */
+    murk_solution *solution[SCENE_BANDS_MAX]; /* of the scene's bands, or of the lights of bake */
     murk_image *picture;
     double started;
     double seconds_read, seconds_render, seconds_write;
@@ -53,7 +53,7 @@ int cli_job_end(struct cli_job *job, murk_status status);
 /* Whether murk chose the extinction per unit of the grid by itself; *info is of the first band. */
 bool cli_job_chose_scale(const struct cli_job *job, murk_medium_info *info);
 
-/* The report of the band that is furthest from its tolerance. */
+/* The report of the band or light that is furthest from its tolerance. */
 const murk_report *cli_job_report(const struct cli_job *job);
 
 /* Whether nothing came of it: MURK_NOT_REACHED delivers its result. */

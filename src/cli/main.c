@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* murk's command line: finds the command and hands over. */
+#include "bake.h"
 #include "bench.h"
 #include "contrast.h"
 #include "help.h"
@@ -17,6 +18,9 @@ static const struct cli_command_info COMMANDS[] = {
      "Solves the light in the medium and writes its radiosity.", cli_solve},
     {CLI_RENDER, "render", "render INPUT --radiosity FILE.vdb -o FILE.exr [OPTION]...",
      "Renders another view of a solution; nothing is solved again.", cli_render},
+    {CLI_BAKE, "bake", "bake INPUT -o FILE.png [OPTION]...",
+     "Lights the medium from six sides, to the textures of six-way lighting in game engines.",
+     cli_bake},
     {CLI_INFO, "info", "info INPUT [OPTION]...",
      "Tells what is in a file, and what murk would take it for.", cli_info},
     {CLI_CONTRAST, "contrast", "contrast INPUT --target REGION --background REGION [OPTION]...",
@@ -34,7 +38,7 @@ static void print_usage(FILE *stream)
     fputs(
         "\nINPUT is a .vdb file, a scene file (.json), or - for a VDB stream; for contrast it is\n"
         "an .exr picture of a scene with bands. A frame pattern (####, %04d, $F4) makes image,\n"
-        "solve, render and contrast run over a sequence.\n"
+        "solve, render, bake and contrast run over a sequence.\n"
         "murk COMMAND --help lists the options of a command; murk --version tells the version.\n"
         "Exit status: 0 done, 1 bad input or usage, 2 the system failed, 3 tolerance not "
         "reached;\nof a sequence the status of its worst frame: 2 before 1 before 3.\n",

@@ -54,9 +54,9 @@ static void say_outputs(struct cli_job *job)
     else if (options->preview)
         cli_say(&job->terminal, "picture in %s, to look at in %s", options->output,
                 options->preview);
-    else
+    else if (strcmp(job->command, "bake")) /* which tells of its textures as it writes them */
         cli_say(&job->terminal, "picture in %s", options->output);
-    if (!strcmp(job->command, "image") && options->radiosity)
+    if (strcmp(job->command, "render") && options->radiosity)
         cli_say(&job->terminal, "radiosity in %s", options->radiosity);
     if (options->ground_radiosity)
         cli_say(&job->terminal, "ground radiosity in %s", options->ground_radiosity);

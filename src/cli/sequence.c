@@ -126,6 +126,25 @@ static murk_status check_first(struct cli_job *job, const int *frame, const stru
     return status;
 }
 
+/* What has to be known of all frames before the work on the first. */
+static murk_status survey(struct cli_job *job, const struct cli_frames *frames,
+                          const struct cli_steps *steps)
+{
+    const struct cli_options *options = job->options;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; steps->survey && i < frames->count && status == MURK_OK; i++) {
+        struct cli_frame_options of_frame;
+        status = enter_frame(job, &frames->number[i], &of_frame);
+        if (status != MURK_OK)
+            return status;
+        status = cli_job_describe(job);
+        if (status == MURK_OK)
+            status = steps->survey(job);
+        leave_frame(job, options, &of_frame, status);
+    }
+    return status;
+}
+
 static void say_tally(struct cli_job *job, const struct tally *tally, size_t count)
 {
     enum { LIST_SIZE = 1000 };
@@ -151,6 +170,8 @@ static murk_status run_frames(struct cli_job *job, const struct cli_frames *fram
 {
     struct tally tally = {.worst = MURK_OK};
     murk_status status = check_first(job, &frames->number[0], steps);
+    if (status == MURK_OK)
+        status = survey(job, frames, steps);
     if (status != MURK_OK)
         return status;
     for (size_t i = 0; i < frames->count; i++) {

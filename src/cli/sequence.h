@@ -13,6 +13,9 @@ struct cli_steps {
     cli_work_fn *work;   /* with a described job, up to its written outputs and its report */
     cli_work_fn *finish; /* once, after the last frame, whatever came of them; NULL: nothing */
     void *state;         /* for job->state */
+    /* Of each described frame before the work on the first; the first that fails ends the run.
+       NULL: nothing. */
+    cli_work_fn *survey;
 };
 
 /*

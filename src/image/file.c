@@ -77,14 +77,16 @@ static murk_status image_encode(murk_context *context, const murk_image *image, 
     if (!eight_bit)
         return murk_oiio_encode(context, path, &pixels, bytes, size);
 
-    static const char *const RGB[] = {"R", "G", "B"};
-    uint8_t *display = murk_alloc((size_t)image->width * image->height, 3);
+    static const char *const RGBA[] = {"R", "G", "B", "A"};
+    uint8_t *display = murk_alloc((size_t)image->width * image->height, 4);
     if (!display)
         return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
     double exposure = isnan(options->exposure) ? murk_display_exposure(image) : options->exposure;
-    murk_display_encode(image, exposure, display);
-    pixels.channels = 3;
-    pixels.names = RGB;
+    pixels.data = options->data && murk_display_data(image, exposure, display);
+    if (!pixels.data)
+        murk_display_encode(image, exposure, display);
+    pixels.channels = pixels.data ? 4 : 3;
+    pixels.names = RGBA;
     pixels.floats = NULL;
     pixels.attributes = NULL;
     pixels.bytes = display;
