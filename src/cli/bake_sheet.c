@@ -76,14 +76,17 @@ murk_status cli_bake_sheet_check(struct cli_job *job, const char *path)
     return cli_job_fail(job, murk_output_check(job->context, path));
 }
 
-/* The glow is a mask: 1 where it is most. */
+/* The glow is a mask: 1 where it is most. Where nothing glows it is 1 everywhere, for many a tool
+   loses the colours under an alpha of 0. */
 static void normalise_glow(float *pixels, size_t count)
 {
     float most = 0;
     for (size_t p = 0; p < count; p++)
         most = fmaxf(most, pixels[CHANNELS * p + ALPHA]);
-    for (size_t p = 0; p < count && most > 0; p++)
-        pixels[CHANNELS * p + ALPHA] /= most;
+    for (size_t p = 0; p < count; p++) {
+        float *glow = &pixels[CHANNELS * p + ALPHA];
+        *glow = most > 0 ? *glow / most : 1;
+    }
 }
 
 static void divide(float *pixels, const float *opacity, size_t count)

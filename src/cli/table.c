@@ -53,7 +53,8 @@ static const struct cli_option TABLE[] = {
     {"output", 'o', CLI_BAKE, OUTPUT, "FILE",
      "the two textures, as .png, .tga or .exr: NAME.png makes NAME_positive.png (R, G, B: light "
      "from the right, the top, the back; A: opacity) and NAME_negative.png (from the left, the "
-     "bottom, the front; A: what glows, 0 to 1). 1 is a white surface that faces the light; the "
+     "bottom, the front; A: what glows, 1 at most; 1 "
+     "everywhere where nothing does). 1 is a white surface that faces the light; the "
      "values are linear",
      TEXT(output)},
     {"radiosity", 0, CLI_BAKE, OUTPUT, "FILE",
