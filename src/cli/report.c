@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "report.h"
 
+#include "bake_view.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -161,6 +163,19 @@ static json_t *bands_json(const struct cli_job *job)
     return array;
 }
 
+/* Likewise of every light of bake. */
+static json_t *lights_json(const struct cli_job *job)
+{
+    json_t *array = json_array();
+    for (int side = 0; side < CLI_BAKE_SIDES; side++) {
+        json_t *object = json_object();
+        json_object_set_new(object, "name", cli_json_text(CLI_BAKE_SIDE[side]));
+        json_object_update_new(object, solution_json(murk_solution_report(job->solution[side])));
+        json_array_append_new(array, object);
+    }
+    return array;
+}
+
 static json_t *seconds_json(const struct cli_job *job, const murk_report *report)
 {
     json_t *object = json_object();
@@ -201,8 +216,10 @@ void cli_report_json(const struct cli_job *job, murk_status status)
     json_object_set_new(object, "outputs", outputs);
     json_object_update_new(object, solution_json(report));
     json_object_set_new(object, "energy", energy_json(report));
-    if (job->scene.band[0].name)
+    if (job->scene.band[0].name && strcmp(job->command, "bake"))
         json_object_set_new(object, "bands", bands_json(job));
+    if (!strcmp(job->command, "bake"))
+        json_object_set_new(object, "lights", lights_json(job));
     json_object_set_new(object, "seconds", seconds_json(job, report));
     cli_print_json(object);
 }
