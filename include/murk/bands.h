@@ -19,8 +19,10 @@ extern "C" {
  * extinction, and whose grounds have the same patches, are solved together: light of up to three
  * goes along the same lines at once, which is where most of the time goes. They get the voxels of
  * the one that needs the smallest, slopes where any of them does, and at first the directions of
- * the one that needs most. Scenes that do not match the one before them are solved after it, which
- * the log tells; so are all by the pairwise method.
+ * the one that needs most. Under suns alone, of one medium object, without ground and sky, one sun
+ * tells for all what smaller voxels would change, with a margin in the estimates of the others.
+ * Scenes that do not match the one before them are solved after it, which the log tells; so are all
+ * by the pairwise method.
  *
  * scene holds `count` scenes; start is NULL, or tells for each where its iteration starts, as
  * options->start does for murk_solve(); options->start itself is not looked at. options may be

@@ -54,13 +54,16 @@ MURK_API const char *murk_image_attribute(const murk_image *image, const char *n
 typedef struct murk_image_write_options {
     double exposure;     /**< stops, for 8-bit formats; NaN: brings the 99th percentile of the
                               luminance to the display value 0.9 */
+    bool data;           /**< 8-bit formats take R, G, B and A as they are, with exposure alone: no
+                              curve, alpha neither multiplied nor divided; for textures that hold
+                              numbers. EXR is not changed by it */
     const char *command; /**< recorded as metadata where the format can; may be NULL */
     const char *units;   /**< likewise, "W/m^2/sr"; may be NULL */
 } murk_image_write_options;
 
 #define MURK_IMAGE_WRITE_DEFAULT                                                                   \
     {                                                                                              \
-        .exposure = NAN, .command = NULL, .units = NULL                                            \
+        .exposure = NAN, .data = false, .command = NULL, .units = NULL                             \
     }
 
 /** Writes an image; the format follows the path's extension. EXR keeps all channels as linear

@@ -307,11 +307,13 @@ typedef enum murk_solver {
     MURK_GAUSS_SEIDEL /**< [BG91] eqs. (7)-(10), pairwise only */
 } murk_solver;
 
-/** A pinhole camera in right-handed world coordinates. */
+/** A camera in right-handed world coordinates: a pinhole, or with parallel rays. */
 typedef struct murk_camera {
     double eye[3], target[3], up[3];
-    double fov;  /**< vertical field of view, degrees, in (0, 180) */
-    int size[2]; /**< width, height in pixels, >= 1 */
+    double fov;    /**< vertical field of view, degrees, in (0, 180) */
+    int size[2];   /**< width, height in pixels, >= 1 */
+    double height; /**< of the picture [m]: all rays are parallel to the line of sight, begin in the
+                        plane of the eye, and there is no fov. 0: a pinhole */
 } murk_camera;
 
 /** The radiosities of the zones and patches of one scene. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "commands.h"
 
+#include "bake.h"
 #include "bench.h"
 #include "contrast.h"
 #include "info.h"
@@ -13,6 +14,9 @@ static const struct cli_command_info COMMANDS[] = {
      "Solves the light in the medium and writes its radiosity.", "vdb json", cli_solve},
     {CLI_RENDER, "render", "render INPUT --radiosity FILE.vdb -o FILE.exr [OPTION]...",
      "Renders another view of a solution; nothing is solved again.", "vdb json", cli_render},
+    {CLI_BAKE, "bake", "bake INPUT -o FILE.png [OPTION]...",
+     "Lights the medium from six sides, to the textures of six-way lighting in game engines.",
+     "vdb json", cli_bake},
     {CLI_INFO, "info", "info INPUT [OPTION]...",
      "Tells what is in a file, and what murk would take it for.", "vdb json", cli_info},
     {CLI_CONTRAST, "contrast", "contrast INPUT --target REGION --background REGION [OPTION]...",

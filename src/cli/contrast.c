@@ -233,7 +233,8 @@ static murk_status finish(struct cli_job *job)
 int cli_contrast(const struct cli_options *options, const char *command_line)
 {
     struct cli_contrast contrast = {0};
-    const struct cli_steps steps = {check, measure, finish, &contrast};
+    const struct cli_steps steps = {
+        .check = check, .work = measure, .finish = finish, .state = &contrast};
     int exit_status = cli_run(options, "contrast", command_line, &steps);
     free(contrast.row);
     return exit_status;

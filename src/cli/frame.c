@@ -66,14 +66,27 @@ void cli_frame_run(struct cli_job *job, const int *frame, const struct cli_steps
     leave(job, options, &of_frame);
 }
 
-murk_status cli_frame_check(struct cli_job *job, const int *frame, const struct cli_steps *steps)
+static murk_status visit(struct cli_job *job, const int *frame, cli_work_fn *step, bool described)
 {
     const struct cli_options *options = job->options;
     struct cli_frame_options of_frame;
     murk_status status = enter(job, frame, &of_frame);
     if (status != MURK_OK)
         return status;
-    status = steps->check(job);
+    if (described)
+        status = cli_job_describe(job);
+    if (status == MURK_OK)
+        status = step(job);
     leave(job, options, &of_frame);
     return status;
+}
+
+murk_status cli_frame_check(struct cli_job *job, const int *frame, const struct cli_steps *steps)
+{
+    return visit(job, frame, steps->check, false);
+}
+
+murk_status cli_frame_survey(struct cli_job *job, const int *frame, const struct cli_steps *steps)
+{
+    return visit(job, frame, steps->survey, true);
 }

@@ -20,4 +20,7 @@ void cli_frame_run(struct cli_job *job, const int *frame, const struct cli_steps
 /* What would fail for every frame, found by its name. */
 murk_status cli_frame_check(struct cli_job *job, const int *frame, const struct cli_steps *steps);
 
+/* What has to be known of each frame before the work on the first. */
+murk_status cli_frame_survey(struct cli_job *job, const int *frame, const struct cli_steps *steps);
+
 #endif

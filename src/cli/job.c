@@ -255,7 +255,7 @@ bool cli_job_chose_scale(const struct cli_job *job, murk_medium_info *info)
 const murk_report *cli_job_report(const struct cli_job *job)
 {
     const murk_report *worst = NULL;
-    for (size_t n = 0; n < job->scene.band_count; n++) {
+    for (size_t n = 0; n < SCENE_BANDS_MAX && job->solution[n]; n++) {
         const murk_report *report = murk_solution_report(job->solution[n]);
         if (!worst || report->estimate > worst->estimate)
             worst = report;

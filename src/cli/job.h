@@ -20,7 +20,7 @@ struct cli_job {
     char *files[SCENE_FILE_MAX]; /* of the frame, where the description has patterns */
     char *obscurant;             /* of --obscurant, from the root */
     struct scene scene;
-    murk_solution *solution[SCENE_BANDS_MAX]; /* of the scene's bands */
+    murk_solution *solution[SCENE_BANDS_MAX]; /* of the scene's bands, or of the lights of bake */
     murk_image *picture;
     murk_deep *deep; /* where it is asked for */
     double started;
@@ -58,7 +58,7 @@ int cli_job_end(struct cli_job *job, murk_status status);
 /* Whether murk chose the extinction per unit of the grid by itself; *info is of the first band. */
 bool cli_job_chose_scale(const struct cli_job *job, murk_medium_info *info);
 
-/* The report of the band that is furthest from its tolerance. */
+/* The report of the band or light that is furthest from its tolerance. */
 const murk_report *cli_job_report(const struct cli_job *job);
 
 /* Whether nothing came of it: MURK_NOT_REACHED delivers its result. */

@@ -16,7 +16,7 @@ static void print_usage(FILE *stream)
     fputs(
         "\nINPUT is a .vdb file, a scene file (.json), or - for a VDB stream; for contrast it is\n"
         "an .exr picture of a scene with bands. A frame pattern (####, %04d, $F4) makes image,\n"
-        "solve, render, info and contrast run over a sequence.\n"
+        "solve, render, bake, info and contrast run over a sequence.\n"
         "murk COMMAND --help lists the options of a command; murk --version tells the version.\n"
         "Exit status: 0 done, 1 bad input or usage, 2 the system failed, 3 tolerance not "
         "reached;\nof a sequence the status of its worst frame: 2 before 1 before 3.\n",

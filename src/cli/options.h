@@ -14,8 +14,10 @@ enum cli_command {
     CLI_INFO = 8,
     CLI_BENCH = 16,
     CLI_CONTRAST = 32,
-    CLI_VOLUME = CLI_IMAGE | CLI_SOLVE | CLI_RENDER | CLI_INFO, /* those that read a volume */
-    CLI_INPUT = CLI_VOLUME | CLI_CONTRAST,                      /* those that take an INPUT */
+    CLI_BAKE = 64,
+    /* Those that read a volume, and those that take an INPUT. */
+    CLI_VOLUME = CLI_IMAGE | CLI_SOLVE | CLI_RENDER | CLI_INFO | CLI_BAKE,
+    CLI_INPUT = CLI_VOLUME | CLI_CONTRAST,
     CLI_ALL = CLI_INPUT | CLI_BENCH
 };
 
@@ -49,7 +51,9 @@ struct cli_options {
     const char *input;
     const char *output, *preview, *deep, *ground_radiosity;
     const char *usd;
-    const char *radiosity; /* image: written; render: read */
+    const char *radiosity; /* image, bake: written; render: read */
+    int flipbook[2];       /* cells across and down */
+    bool straight;
 
     const char *frames;
     bool resume;

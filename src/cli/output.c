@@ -131,7 +131,8 @@ static murk_status write_image(struct cli_job *job, const murk_image *image, con
     return murk_image_write(job->context, image, path, &options);
 }
 
-static murk_status write_radiosity(struct cli_job *job, const char *path)
+murk_status cli_output_radiosity(struct cli_job *job, const char *const names[], size_t count,
+                                 const char *path)
 {
     murk_write_options options = MURK_WRITE_DEFAULT;
     options.source = job->scene.volume;
@@ -140,11 +141,16 @@ static murk_status write_radiosity(struct cli_job *job, const char *path)
     options.albedo = job->options->albedo_grid;
     options.half = job->options->half;
     options.command = job->command_line;
+    return murk_solutions_write((const murk_solution *const *)job->solution, names, count, path,
+                                &options);
+}
+
+static murk_status write_radiosity(struct cli_job *job, const char *path)
+{
     const char *names[SCENE_BANDS_MAX];
     for (size_t n = 0; n < job->scene.band_count; n++)
         names[n] = job->scene.band[n].name;
-    return murk_solutions_write((const murk_solution *const *)job->solution, names,
-                                job->scene.band_count, path, &options);
+    return cli_output_radiosity(job, names, job->scene.band_count, path);
 }
 
 /* One channel a band, by its name, or Y. */

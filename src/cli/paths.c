@@ -23,7 +23,8 @@ size_t cli_paths(struct cli_options *options, const char *command,
     bool whole = !strcmp(command, "contrast");
     size_t count = 0;
     for (size_t i = 0; i < CLI_PATH_MAX; i++)
-        if (*all[i].text && (all[i].input || !whole))
+        if (*all[i].text && (all[i].input || !whole) &&
+            !(options->flipbook[0] && all[i].text == &options->output))
             list[count++] = all[i];
     return count;
 }

@@ -14,7 +14,8 @@ struct cli_path {
 };
 
 /* Lists the paths that are given to a command for each frame, INPUT first; gives their number. The
-   outputs of murk contrast are not among them: they hold all frames. */
+   outputs of murk contrast and the sheets of a flipbook are not among them: they hold all frames.
+ */
 size_t cli_paths(struct cli_options *options, const char *command,
                  struct cli_path list[CLI_PATH_MAX]);
 

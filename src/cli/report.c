@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "report.h"
 
+#include "bake_view.h"
 #include "murk/memory.h"
 
 #include <math.h>
@@ -56,11 +57,11 @@ static void say_outputs(struct cli_job *job)
     else if (options->preview)
         cli_say(&job->terminal, "picture in %s, to look at in %s", options->output,
                 options->preview);
-    else
+    else if (strcmp(job->command, "bake")) /* which tells of its textures as it writes them */
         cli_say(&job->terminal, "picture in %s", options->output);
     if (options->deep)
         cli_say(&job->terminal, "deep picture in %s", options->deep);
-    if (!strcmp(job->command, "image") && options->radiosity)
+    if (strcmp(job->command, "render") && options->radiosity)
         cli_say(&job->terminal, "radiosity in %s", options->radiosity);
     if (options->ground_radiosity)
         cli_say(&job->terminal, "ground radiosity in %s", options->ground_radiosity);
@@ -167,6 +168,19 @@ static json_t *bands_json(const struct cli_job *job)
     return array;
 }
 
+/* Likewise of every light of bake. */
+static json_t *lights_json(const struct cli_job *job)
+{
+    json_t *array = json_array();
+    for (int side = 0; side < CLI_BAKE_SIDES; side++) {
+        json_t *object = json_object();
+        json_object_set_new(object, "name", cli_json_text(CLI_BAKE_SIDE[side]));
+        json_object_update_new(object, solution_json(murk_solution_report(job->solution[side])));
+        json_array_append_new(array, object);
+    }
+    return array;
+}
+
 static json_t *seconds_json(const struct cli_job *job, const murk_report *report)
 {
     json_t *object = json_object();
@@ -218,9 +232,11 @@ void cli_report_json(const struct cli_job *job, murk_status status)
     json_object_set_new(object, "outputs", outputs);
     json_object_update_new(object, solution_json(report));
     json_object_set_new(object, "energy", energy_json(report));
-    if (job->scene.band[0].name)
+    if (job->scene.band[0].name && strcmp(job->command, "bake"))
         json_object_set_new(object, "bands", bands_json(job));
     json_object_set_new(object, "memory", memory_json(report));
+    if (!strcmp(job->command, "bake"))
+        json_object_set_new(object, "lights", lights_json(job));
     json_object_set_new(object, "seconds", seconds_json(job, report));
     cli_print_json(object);
 }

@@ -67,7 +67,9 @@ static murk_status run_frames(struct cli_job *job, const struct cli_frames *fram
     struct cli_tally tally = {.worst = MURK_OK};
     double bytes = frame_bytes(job, frames->number[0]);
     murk_status status = cli_frame_check(job, &frames->number[0], steps);
-    if (status == MURK_OK && steps->finish)
+    for (size_t i = 0; steps->survey && i < frames->count && status == MURK_OK; i++)
+        status = cli_frame_survey(job, &frames->number[i], steps);
+    if (status == MURK_OK && (steps->finish || steps->survey))
         run_here(job, frames, steps, &tally);
     else if (status == MURK_OK)
         status = run_on_workers(job, frames, steps, bytes, &tally);

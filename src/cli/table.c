@@ -15,8 +15,10 @@ const char *const CLI_KERNELS[] = {"avx512", "avx2", "portable", NULL};
 
 enum {
     PICTURE = CLI_IMAGE | CLI_RENDER,
-    SOLVING = CLI_IMAGE | CLI_SOLVE,
-    WORKING = CLI_IMAGE | CLI_SOLVE | CLI_RENDER,
+    AIMING = PICTURE | CLI_BAKE,
+    SOLVING = CLI_IMAGE | CLI_SOLVE | CLI_BAKE,
+    RESUMING = CLI_IMAGE | CLI_SOLVE | CLI_RENDER,
+    WORKING = RESUMING | CLI_BAKE,
 };
 
 #define PICTURES "png jpg"
@@ -57,7 +59,24 @@ static const struct cli_option TABLE[] = {
      PATH(preview, PICTURES)},
     {"radiosity", 0, CLI_IMAGE, OUTPUT, "FILE", "keep the radiosity too, as .vdb",
      PATH(radiosity, "vdb")},
-    {"ground-radiosity", 0, SOLVING, OUTPUT, "FILE",
+    {"output", 'o', CLI_BAKE, OUTPUT, "FILE",
+     "the two textures, as .png, .tga or .exr: NAME.png makes NAME_positive.png (R, G, B: light "
+     "from the right, the top, the back; A: opacity) and NAME_negative.png (from the left, the "
+     "bottom, the front; A: what glows, 1 at most; 1 "
+     "everywhere where nothing does). 1 is a white surface that faces the light; the "
+     "values are linear",
+     PATH(output, "png tga exr")},
+    {"radiosity", 0, CLI_BAKE, OUTPUT, "FILE",
+     "keep the radiosity under each light too, as .vdb: radiosity_right and so on",
+     PATH(radiosity, "vdb")},
+    {"flipbook", 0, CLI_BAKE, OUTPUT, "CxR",
+     "all frames in one sheet of C cells across and R down, from the top left row by row",
+     .value = cli_value_size, FIELD(flipbook),
+     WHOLE(1, 256, "a number of cells across and down from 1 to 256, such as 8x8")},
+    {"straight", 0, CLI_BAKE, OUTPUT, NULL,
+     "R, G, B divided by the opacity, for particles that blend by alpha; without it premultiplied",
+     FLAG(straight)},
+    {"ground-radiosity", 0, CLI_IMAGE | CLI_SOLVE, OUTPUT, "FILE",
      "the radiosity of the ground patches [W/m^2] as .exr, one pixel a patch",
      PATH(ground_radiosity, "exr")},
     {"usd", 0, CLI_IMAGE | CLI_SOLVE, OUTPUT, "FILE",
@@ -95,11 +114,11 @@ static const struct cli_option TABLE[] = {
      "the frames to measure: 1-100, 1-100x2 or 1,3,10-20; not given: all that there are; one that "
      "fails does not stop the others",
      TEXT(frames)},
-    {"resume", 0, WORKING, SEQUENCE, NULL,
+    {"resume", 0, RESUMING, SEQUENCE, NULL,
      "skip frames whose outputs are there, newer than their inputs, and made by this command with "
      "these options",
      FLAG(resume), .aside = true},
-    {"jobs", 0, WORKING, SEQUENCE, "N",
+    {"jobs", 0, RESUMING, SEQUENCE, "N",
      "frames to run at once, each on its part of the threads; not given: what ends first and "
      "memory "
      "holds",
@@ -127,8 +146,7 @@ static const struct cli_option TABLE[] = {
      .value = cli_value_number, FIELD(voxel_size), POSITIVE},
     {"voxels", 0, CLI_VOLUME, MEDIUM, "WHERE", "what a voxel's index is: its center or its corner",
      CHOICE(voxels, VOXELS)},
-    {"up", 0, PICTURE | CLI_SOLVE, MEDIUM, "AXIS", "the axis that points up: z or y",
-     CHOICE(up, UPS)},
+    {"up", 0, WORKING, MEDIUM, "AXIS", "the axis that points up: z or y", CHOICE(up, UPS)},
     {"strict", 0, CLI_VOLUME, MEDIUM, NULL, "NaN, infinite and negative values are an error",
      FLAG(strict)},
 
@@ -180,16 +198,27 @@ static const struct cli_option TABLE[] = {
 
     {"size", 0, PICTURE, CAMERA, "WxH", "pixels", .value = cli_value_size, FIELD(size),
      WHOLE(1, 65536, "a width and height from 1 to 65536, such as 640x480")},
-    {"samples", 0, PICTURE, CAMERA, "N", "N x N rays for each pixel (2)", .value = cli_value_count,
+    {"size", 0, CLI_BAKE, CAMERA, "WxH", "pixels of a frame (256x256)", .value = cli_value_size,
+     FIELD(size), WHOLE(4, 16384, "a width and height from 4 to 16384, such as 256x256")},
+    {"samples", 0, AIMING, CAMERA, "N", "N x N rays for each pixel (2)", .value = cli_value_count,
      FIELD(samples), WHOLE(1, 64, "a whole number from 1 to 64")},
+    {"eye", 0, CLI_BAKE, CAMERA, "X,Y,Z",
+     "where one looks from [m], with --target; the picture is parallel and always frames all of "
+     "the "
+     "medium; not given: the scene's camera, or from the front",
+     .value = cli_value_vector, FIELD(eye), .expected = "three numbers such as 2,-2,1.5"},
     {"eye", 0, PICTURE, CAMERA, "X,Y,Z", "where the camera is [m]", .value = cli_value_vector,
      FIELD(eye), .expected = "three numbers such as 2,-2,1.5"},
-    {"target", 0, PICTURE, CAMERA, "X,Y,Z", "what it looks at [m]", .value = cli_value_vector,
+    {"target", 0, AIMING, CAMERA, "X,Y,Z", "what it looks at [m]", .value = cli_value_vector,
      FIELD(target), .expected = "three numbers such as 0.5,0.5,0.3"},
     {"fov", 0, PICTURE, CAMERA, "DEGREES", "vertical field of view", .value = cli_value_number,
      FIELD(fov), .min = 1e-3, .max = 179.999, .expected = "between 0 and 180 degrees"},
     {"no-background", 0, PICTURE, CAMERA, NULL,
      "leave ground and sky out of the picture; they still light the medium", FLAG(no_background)},
+    {"exposure", 0, CLI_BAKE, CAMERA, "STOPS",
+     "R, G, B of .png and .tga are 2^STOPS times what they are (0); above 1 they are clipped",
+     .value = cli_value_number, FIELD(exposure), .min = -100, .max = 100,
+     .expected = "a number of stops from -100 to 100"},
     {"exposure", 0, PICTURE, CAMERA, "STOPS",
      "for .png and the like; without it the 99th percentile of the luminance shows as 0.9",
      .value = cli_value_number, FIELD(exposure), .min = -100, .max = 100,

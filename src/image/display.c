@@ -60,6 +60,23 @@ void murk_display_encode(const murk_image *image, double exposure, uint8_t *rgb)
         }
 }
 
+bool murk_display_data(const murk_image *image, double exposure, uint8_t *rgba)
+{
+    static const char *const NAMES[4] = {"R", "G", "B", "A"};
+    int channel[4];
+    for (int i = 0; i < 4; i++)
+        if ((channel[i] = murk_image_channel(image, NAMES[i])) < 0)
+            return false;
+    const double color = exp2(exposure), gain[4] = {color, color, color, 1};
+    size_t count = (size_t)image->width * image->height;
+    for (size_t p = 0; p < count; p++)
+        for (int i = 0; i < 4; i++) {
+            double value = gain[i] * image->pixels[p * image->channels + channel[i]];
+            rgba[4 * p + i] = (uint8_t)(value > 0 ? fmin(value, 1) * 255 + 0.5 : 0);
+        }
+    return true;
+}
+
 double murk_display_exposure(const murk_image *image)
 {
     static const float WEIGHT[3] = {0.2126f, 0.7152f, 0.0722f};

@@ -106,15 +106,18 @@ static murk_status encode_display(murk_context *context, const murk_image *image
                                   const murk_image_write_options *options, void **bytes,
                                   size_t *size)
 {
-    uint8_t *display = murk_alloc((size_t)image->width * image->height, 3);
+    uint8_t *display = murk_alloc((size_t)image->width * image->height, COLOR_CHANNELS);
     if (!display)
         return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
     double exposure = isnan(options->exposure) ? murk_display_exposure(image) : options->exposure;
-    murk_display_encode(image, exposure, display);
+    const bool data = options->data && murk_display_data(image, exposure, display);
+    if (!data)
+        murk_display_encode(image, exposure, display);
     const murk_oiio_pixels pixels = {
         .width = image->width,
         .height = image->height,
-        .channels = 3,
+        .channels = data ? COLOR_CHANNELS : 3,
+        .data = data,
         .names = COLOR_NAMES,
         .bytes = display,
         .command = options->command,

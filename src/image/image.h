@@ -38,6 +38,10 @@ int murk_image_channel(const murk_image *image, const char *name);
    clipped, on the sRGB curve; values that are not finite become 0. */
 void murk_display_encode(const murk_image *image, double exposure, uint8_t *rgb);
 
+/* The bytes of data: of each pixel R, G, B times 2^exposure, and A, clipped. False where the image
+   lacks one of them. */
+bool murk_display_data(const murk_image *image, double exposure, uint8_t *rgba);
+
 /* The sRGB curve between linear light and what a display is told, both in [0, 1]. */
 double murk_display_value(double light);
 double murk_display_linear(double value);
@@ -52,6 +56,7 @@ typedef struct murk_oiio_pixels {
     const char *const *names;
     const float *floats;              /* stored as linear floats, or NULL */
     const uint8_t *bytes;             /* stored as sRGB bytes where floats is NULL */
+    bool data;                        /* the bytes are no colours */
     const murk_attribute *attributes; /* metadata; may be NULL */
     const char *command, *units;      /* likewise */
 } murk_oiio_pixels;

@@ -118,7 +118,9 @@ OIIO::ImageSpec output_spec(const murk_oiio_pixels &pixels)
     }
     for (const murk_attribute *a = pixels.attributes; a; a = a->next)
         spec.attribute(a->name, a->text);
-    spec.attribute("oiio:ColorSpace", pixels.floats ? "Linear" : "sRGB");
+    spec.attribute("oiio:ColorSpace", pixels.floats ? "Linear" : pixels.data ? "data" : "sRGB");
+    if (pixels.data)
+        spec.attribute("oiio:UnassociatedAlpha", 1);
     if (pixels.floats) // Level 4, the usual one, takes a third longer for a tenth fewer bytes.
         spec.attribute("compression", "zip:2");
     describe(spec, pixels.command, pixels.units);

@@ -7,6 +7,7 @@
 /* The view in the grid frame [m]. */
 typedef struct frame {
     double eye[3], right[3], up[3], forward[3], half[2];
+    bool parallel;
     int size[2];
 } frame;
 
@@ -24,17 +25,28 @@ static int compare(const void *a, const void *b)
                                       : (x->brick > y->brick) - (x->brick < y->brick);
 }
 
-static void rank(const murk_grid *grid, const double eye[3], ranked *order)
+/* The same along rays that all go one way, from no eye. */
+static int64_t ahead(const int32_t brick[3], const double forward[3])
+{
+    int64_t distance = 0;
+    for (int a = 0; a < 3; a++)
+        distance += forward[a] < 0 ? -(int64_t)brick[a] : brick[a];
+    return distance;
+}
+
+static void rank(const murk_grid *grid, const frame *view, ranked *order)
 {
     int64_t at[3];
     for (int a = 0; a < 3; a++) {
-        double cell = floor((eye[a] / grid->voxel[a] + grid->lo[a]) / MURK_BRICK_EDGE);
+        double cell = floor((view->eye[a] / grid->voxel[a] + grid->lo[a]) / MURK_BRICK_EDGE);
         at[a] = (int64_t)fmin(fmax(cell, INT32_MIN), INT32_MAX);
     }
     for (size_t b = 0; b < grid->brick_count; b++) {
         order[b] = (ranked){.brick = (int32_t)b};
         for (int a = 0; a < 3; a++)
             order[b].distance += llabs(grid->brick[b][a] - at[a]);
+        if (view->parallel)
+            order[b].distance = ahead(grid->brick[b], view->forward);
     }
     qsort(order, grid->brick_count, sizeof *order, compare);
 }
@@ -61,11 +73,12 @@ static bool cover(const frame *view, const murk_grid *grid, const murk_box *box,
         double z = dot(corner, view->forward);
         behind = behind && z <= 0;
         in_front = in_front && z > nearest;
+        double reach = view->parallel ? 1 : z;
         for (int c = 0; c < 2; c++) {
-            double edge = 1.01 * z * view->half[c];
+            double edge = 1.01 * reach * view->half[c];
             beside[2 * c] = beside[2 * c] && side[c] < -edge;
             beside[2 * c + 1] = beside[2 * c + 1] && side[c] > edge;
-            double pixel = (side[c] / (z * view->half[c]) + 1) / 2 * view->size[c];
+            double pixel = (side[c] / (reach * view->half[c]) + 1) / 2 * view->size[c];
             low[c] = fmin(low[c], pixel - slack);
             high[c] = fmax(high[c], pixel + slack);
         }
@@ -86,6 +99,7 @@ murk_status murk_seen(murk_context *context, const murk_grid *grid, const murk_b
                       const murk_view *view, murk_bins *bins)
 {
     frame in_grid = {.half = {view->half_width, view->half_height},
+                     .parallel = view->parallel,
                      .size = {view->size[0], view->size[1]}};
     murk_grid_from_world(grid, view->eye, in_grid.eye);
     murk_grid_direction_from_world(grid, view->right, in_grid.right);
@@ -98,7 +112,7 @@ murk_status murk_seen(murk_context *context, const murk_grid *grid, const murk_b
     murk_status status;
     if (order && range) {
         size_t count = 0;
-        rank(grid, in_grid.eye, order);
+        rank(grid, &in_grid, order);
         for (size_t i = 0; i < grid->brick_count; i++) {
             range[count].brick = order[i].brick;
             count += cover(&in_grid, grid, &box[order[i].brick], bins->count, &range[count]);

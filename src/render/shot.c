@@ -11,9 +11,10 @@ enum { EDGE = 4 };
 /* Rays of a packet in the world. */
 typedef struct beam {
     double x[MURK_LANES], y[MURK_LANES]; /* in the picture, in pixels from the top left */
-    double direction[3][MURK_LANES];     /* unit vectors */
-    double cosine[MURK_LANES];           /* of the angle to the viewing axis */
-    double t_ground[MURK_LANES];         /* where they meet it; MURK_FOREVER where they do not */
+    double origin[3][MURK_LANES];
+    double direction[3][MURK_LANES]; /* unit vectors */
+    double cosine[MURK_LANES];       /* of the angle to the viewing axis */
+    double t_ground[MURK_LANES];     /* where they meet it; MURK_FOREVER where they do not */
 } beam;
 
 static void set_frame(murk_shot *shot)
@@ -95,34 +96,40 @@ static void aim(const murk_shot *shot, int left, int top, int i, int j, beam *ra
 {
     const murk_view *view = &shot->view;
     const murk_ground *ground = shot->solution->ground;
-    double right[MURK_LANES], up[MURK_LANES], *scale = rays->cosine;
+    double right[MURK_LANES], up[MURK_LANES], aside[MURK_LANES], above[MURK_LANES],
+        *scale = rays->cosine;
     for (int l = 0; l < MURK_LANES; l++) {
         rays->x[l] = left + (i * EDGE + l % EDGE + 0.5) / shot->samples;
         rays->y[l] = top + (j * EDGE + l / EDGE + 0.5) / shot->samples;
         double u = (2 * rays->x[l] / view->size[0] - 1) * view->half_width;
         double v = (1 - 2 * rays->y[l] / view->size[1]) * view->half_height;
-        scale[l] = 1 / sqrt(1 + u * u + v * v);
-        right[l] = u * scale[l];
-        up[l] = v * scale[l];
+        scale[l] = view->parallel ? 1 : 1 / sqrt(1 + u * u + v * v);
+        right[l] = view->parallel ? 0 : u * scale[l];
+        up[l] = view->parallel ? 0 : v * scale[l];
+        aside[l] = view->parallel ? u : 0;
+        above[l] = view->parallel ? v : 0;
         rays->t_ground[l] = MURK_FOREVER;
     }
     for (int a = 0; a < 3; a++)
         for (int l = 0; l < MURK_LANES; l++) {
             double d =
                 scale[l] * shot->forward[a] + right[l] * shot->right[a] + up[l] * shot->up[a];
-            packet->origin[a][l] = shot->eye[a];
+            packet->origin[a][l] =
+                shot->eye[a] + aside[l] * shot->right[a] + above[l] * shot->up[a];
             packet->direction[a][l] = murk_packet_direction(d);
             packet->inverse[a][l] = 1 / packet->direction[a][l];
+            rays->origin[a][l] = view->eye[a] + aside[l] * view->right[a] + above[l] * view->up[a];
             rays->direction[a][l] =
                 scale[l] * view->forward[a] + right[l] * view->right[a] + up[l] * view->up[a];
         }
     if (ground) {
         int axis = murk_ground_axis_up(ground);
-        double above = view->eye[axis] - ground->height;
-        for (int l = 0; l < MURK_LANES; l++)
-            rays->t_ground[l] = rays->direction[axis][l] < -above / MURK_FOREVER
-                                    ? -above / rays->direction[axis][l]
+        for (int l = 0; l < MURK_LANES; l++) {
+            double height = fmax(0, rays->origin[axis][l] - ground->height);
+            rays->t_ground[l] = rays->direction[axis][l] < -height / MURK_FOREVER
+                                    ? -height / rays->direction[axis][l]
                                     : MURK_FOREVER;
+        }
     }
     for (int l = 0; l < MURK_LANES; l++) {
         packet->t_max[l] = rays->t_ground[l];
@@ -146,8 +153,8 @@ static void look_behind(const murk_shot *shot, const beam *rays, const murk_pack
         double t = rays->t_ground[l];
         ends.wanted[l] = shot->parts || packet->tau[l] >= MURK_OPAQUE;
         ends.ground[l] = t < MURK_FOREVER;
-        ends.a[l] = view->eye[a] + t * rays->direction[a][l];
-        ends.b[l] = view->eye[b] + t * rays->direction[b][l];
+        ends.a[l] = rays->origin[a][l] + t * rays->direction[a][l];
+        ends.b[l] = rays->origin[b][l] + t * rays->direction[b][l];
         ends.x[l] = rays->x[l] / view->size[0];
         ends.y[l] = rays->y[l] / view->size[1];
         for (int c = 0; c < 3; c++)
@@ -214,8 +221,8 @@ static void look_around(const murk_shot *shot, const beam *rays, const murk_pack
         behind[l] = M_PI * shot->solution->sky_radiance;
         if (t < MURK_FOREVER && packet->depth[l] > 0)
             behind[l] =
-                murk_blur_mean(&forward->ground, shot->view.eye[a] + t * rays->direction[a][l],
-                               shot->view.eye[b] + t * rays->direction[b][l],
+                murk_blur_mean(&forward->ground, rays->origin[a][l] + t * rays->direction[a][l],
+                               rays->origin[b][l] + t * rays->direction[b][l],
                                murk_forward_spread(forward, packet->depth[l] - passed->depth[l]) *
                                    fmax(t - murk_trace_half(trace, l, packet->depth[l]), 1e-6 * t));
     }

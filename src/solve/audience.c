@@ -95,6 +95,10 @@ murk_status murk_audience(murk_context *context, const murk_solution *solution,
     murk_status status = murk_view_create(context, camera, &view);
     if (status)
         return status;
+    if (view.parallel) { /* such a picture is taken to hold all of a medium */
+        *out = (murk_region){.limited = false};
+        return MURK_OK;
+    }
     float *light = murk_alloc(grid->brick_count, sizeof *light);
     if (!light)
         return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu bricks",

@@ -7,7 +7,7 @@
 #include "levels.h"
 
 #include "coarse.h"
-#include "quadrature.h"
+#include "compare.h"
 #include "refine.h"
 #include "solve_memory.h"
 #include "spatial.h"
@@ -66,13 +66,15 @@ static murk_status begin(murk_context *context, const murk_solve_options *option
     return status;
 }
 
-static murk_status halve(murk_context *context, const murk_subdivision *from, int halvings,
-                         const murk_solve_options *options, murk_subdivision *out)
+/* One band of a level, or all of them (band < 0), on halved voxels. */
+static murk_status halve(murk_context *context, const murk_subdivision *from, int band,
+                         int halvings, const murk_solve_options *options, murk_subdivision *out)
 {
+    const int count = band < 0 ? from->count : 1;
     murk_status status = MURK_OK;
     murk_refine_base(from->solution[0]->medium->grid, out->base);
-    while (!status && out->count < from->count) {
-        const murk_solution *solution = from->solution[out->count];
+    while (!status && out->count < count) {
+        const murk_solution *solution = from->solution[band < 0 ? out->count : band];
         murk_medium *medium = NULL;
         status = murk_medium_refine(context, solution->medium, &medium);
         if (status)
@@ -89,48 +91,29 @@ static murk_status halve(murk_context *context, const murk_subdivision *from, in
 
 /* ---- errors -------------------------------------------------------------------------------- */
 
-/* Relative difference of the coarse solutions of a level and the next in one band. */
-static murk_status difference(murk_context *context, const murk_subdivision *level,
-                              const murk_subdivision *next, int band, double *out)
+/* The band whose halving tells those of all, which differ in their suns alone: the one with the
+   largest estimate. -1: they differ in more, or there is one. */
+static int spokesman(const murk_subdivision *level, const double spatial[])
 {
-    const murk_coarse *here = murk_levels_coarse(level->levels, band);
-    const murk_coarse *there = murk_levels_coarse(next->levels, band);
-    float *mean = murk_alloc(here->system.slots, sizeof *mean);
-    if (!mean)
-        return murk_fail(context, MURK_ERROR_MEMORY, "out of memory for %zu zones",
-                         here->medium->grid->zone_count);
-    murk_refine_average(there->medium->grid, there->x.zone, next->base, here->medium->grid, mean);
-    double size = murk_vector_norm2(&here->system, &here->x);
-    for (size_t i = 0; i < here->system.slots; i++)
-        mean[i] = here->medium->kappa_t[i] > 0 ? mean[i] - here->x.zone[i] : 0;
-    double left = murk_vector_norm2(&here->system, &(murk_vector){.zone = mean});
-    *out = size > 0 ? sqrt(left / size) : 0;
-    murk_free(mean);
-    return MURK_OK;
+    const murk_solution *first = level->solution[0];
+    int most = 0;
+    for (int b = 1; b < level->count; b++) {
+        const murk_solution *other = level->solution[b];
+        if (other->medium != first->medium || other->ground || first->ground ||
+            other->sky_radiance > 0 || first->sky_radiance > 0)
+            return -1;
+        most = spatial[b] > spatial[most] ? b : most;
+    }
+    return level->count > 1 ? most : -1;
 }
 
-/* The same that infinitely many directions would find. Both have been crossed by the same lines,
-   four to a face here and one to a face there, which still feel few lines differently: squares of
-   that fall as 1 / N, so two numbers of directions tell it. */
-static murk_status compare(murk_context *context, const murk_solve_options *options,
-                           murk_subdivision *level, const murk_subdivision *next, double out[])
+/* Takes a level back to where it was before it was made. */
+static void discard(murk_subdivision *level)
 {
-    static const int COMPARED[2] = {MURK_ORBIT, 4 * MURK_ORBIT};
-    double found[2][MURK_MOST_BANDS] = {{0}};
-    murk_status status = MURK_OK;
-    for (int n = 0; !status && n < 2; n++) {
-        status = murk_levels_probe(level->levels, COMPARED[n], 2 * options->rays);
-        if (!status && n)
-            status = murk_levels_probe(next->levels, COMPARED[n], options->rays);
-        for (int b = 0; !status && b < level->count; b++)
-            status = difference(context, level, next, b, &found[n][b]);
-    }
-    for (int b = 0; b < level->count; b++) {
-        double few = found[0][b] * found[0][b], many = found[1][b] * found[1][b];
-        double by_lines = (few - many) / (1.0 / COMPARED[0] - 1.0 / COMPARED[1]);
-        out[b] = sqrt(fmax(0.5 * many, many - fmax(0, by_lines) / COMPARED[1]));
-    }
-    return status;
+    leave(level);
+    for (int b = 0; b < level->count; b++)
+        murk_solution_release(level->solution[b]);
+    *level = (murk_subdivision){0};
 }
 
 /* How often a level may still be halved. */
@@ -198,15 +181,26 @@ static murk_status descend(murk_context *context, const murk_solve_options *opti
     for (int left;
          go_on && !options->directions && (left = halvings_left(&level[*last], *last)) > 0;) {
         double change[MURK_MOST_BANDS];
+        const int alone = spokesman(&level[*last], spatial);
+        murk_subdivision *next = &level[*last + 1];
         if (!may_halve(context, &level[*last], options))
             return MURK_OK;
-        murk_status status = halve(context, &level[*last], *last + 1, options, &level[*last + 1]);
+        murk_status status = halve(context, &level[*last], alone, *last + 1, options, next);
         if (!status)
-            status = compare(context, options, &level[*last], &level[*last + 1], change);
+            status = murk_compare(context, options,
+                                  &(murk_compared){level[*last].levels, count, next->levels,
+                                                   next->count, next->base, alone},
+                                  change);
         if (status)
             return status;
         if (!next_errors(options, goal, left, count, change, spatial))
             return MURK_OK;
+        if (alone >= 0) {
+            discard(next);
+            status = halve(context, &level[*last], -1, *last + 1, options, next);
+        }
+        if (status)
+            return status;
         leave(&level[*last]);
         ++*last;
         go_on = false;

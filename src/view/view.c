@@ -27,7 +27,12 @@ murk_status murk_view_create(murk_context *context, const murk_camera *camera, m
             return murk_fail(context, MURK_ERROR_INPUT,
                              "camera.size: %d x %d is not a picture; 1 to 65536 pixels a side",
                              camera->size[0], camera->size[1]);
-    if (!(camera->fov > 0 && camera->fov < 180))
+    if (!(camera->height >= 0 && isfinite(camera->height)))
+        return murk_fail(context, MURK_ERROR_INPUT,
+                         "camera.height: %g is no height; > 0 for parallel rays, else 0",
+                         camera->height);
+    view.parallel = camera->height > 0;
+    if (!view.parallel && !(camera->fov > 0 && camera->fov < 180))
         return murk_fail(context, MURK_ERROR_INPUT,
                          "camera.fov: %g is not between 0 and 180 degrees", camera->fov);
     for (int c = 0; c < 3; c++) {
@@ -44,7 +49,7 @@ murk_status murk_view_create(murk_context *context, const murk_camera *camera, m
         return murk_fail(context, MURK_ERROR_INPUT,
                          "camera.up: runs along the line of sight; choose another");
     cross(view.right, view.forward, view.up);
-    view.half_height = tan(camera->fov * M_PI / 360);
+    view.half_height = view.parallel ? camera->height / 2 : tan(camera->fov * M_PI / 360);
     view.half_width = view.half_height * camera->size[0] / camera->size[1];
     *out = view;
     return MURK_OK;

@@ -119,6 +119,41 @@ static void suns(void **state)
     murk_context_release(context);
 }
 
+/* Where voxels are thick one sun tells the others what smaller ones would change: no less than each
+   finds by itself. */
+static void thick_suns(void **state)
+{
+    (void)state;
+    murk_context *context = check_context(0, NULL);
+    const murk_solve_options options = MURK_SOLVE_DEFAULT;
+    murk_scene scene[3];
+    murk_solution *alone[3], *together[3];
+    int told = 0;
+    set_cloud(40);
+    for (int n = 0; n < 3; n++) {
+        scene[n] = (murk_scene){.sun = {.irradiance = 1}};
+        scene[n].medium = n ? scene[0].medium : make_medium(context, &COLOURS[0], SIZE, NULL);
+        scene[n].sun.direction[0] = n - 1;
+        scene[n].sun.direction[2] = -n;
+    }
+    solve_alone(context, scene, 3, &options, alone);
+    solve_together(context, scene, 3, &options, together);
+    for (int n = 0; n < 3; n++) {
+        const murk_report *report = murk_solution_report(together[n]);
+        const murk_report *wanted = murk_solution_report(alone[n]);
+        print_message("spatial error %.5f, alone %.5f\n", report->estimate_spatial,
+                      wanted->estimate_spatial);
+        assert_at_most(difference(together[n], alone[n]), report->estimate + wanted->estimate);
+        assert_true(report->estimate_spatial >= wanted->estimate_spatial);
+        told += report->estimate_spatial > 1.01 * wanted->estimate_spatial;
+    }
+    assert_int_equal(told, 2);
+    release_solutions(alone, 3);
+    release_solutions(together, 3);
+    release_scenes(scene, 1);
+    murk_context_release(context);
+}
+
 /* A bright slab of which nothing comes to the far end, beside a faint light that is everywhere. */
 static void faint_beside_bright(void **state)
 {
@@ -232,6 +267,7 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(colours),
                                        cmocka_unit_test(closed_forms),
                                        cmocka_unit_test(suns),
+                                       cmocka_unit_test(thick_suns),
                                        cmocka_unit_test(faint_beside_bright),
                                        cmocka_unit_test(lamps),
                                        cmocka_unit_test(one_camera),

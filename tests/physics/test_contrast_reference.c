@@ -15,8 +15,8 @@ static const double KAPPAS[] = {0.1, 0.2, 0.5, 0.8, 1.5, 3, 5};
 enum { KAPPA_COUNT = sizeof KAPPAS / sizeof *KAPPAS };
 
 /* From the side; and from so high up that all lines of sight are equal to 1e-5. */
-static const murk_camera SIDE = {{0.5, -1.1, 1.6}, {0.5, 0.5, 0}, {0, 0, 1}, 40, {SIZE, SIZE}};
-static const murk_camera ABOVE = {{0.5, 0.5, 200}, {0.5, 0.5, 0}, {0, 1, 0}, 0.2, {SIZE, SIZE}};
+static const murk_camera SIDE = {{0.5, -1.1, 1.6}, {0.5, 0.5, 0}, {0, 0, 1}, 40, {SIZE, SIZE}, 0};
+static const murk_camera ABOVE = {{0.5, 0.5, 200}, {0.5, 0.5, 0}, {0, 1, 0}, 0.2, {SIZE, SIZE}, 0};
 
 /* Pixels, of a side of 4, on the square and beside it. */
 struct spot {

@@ -9,7 +9,7 @@ enum { NX = 9, NY = 7, NZ = 8 };
 
 static const double EDGE = 0.1, E = 2;
 
-static const murk_camera CAMERA = {{1.9, -1.4, 1.5}, {0.45, 0.3, 0.5}, {0, 0, 1}, 38, {21, 17}};
+static const murk_camera CAMERA = {{1.9, -1.4, 1.5}, {0.45, 0.3, 0.5}, {0, 0, 1}, 38, {21, 17}, 0};
 
 /* Voxels from empty to so thick that nothing is seen through one. */
 static murk_array uneven(float kappa_t[NX * NY * NZ])
@@ -180,7 +180,7 @@ static void uniform_slab(void **state)
                               .voxel_size = {0.1, 0.1, 0.1},
                               .kappa_t_value = kappa,
                               .emission_value = E};
-    const murk_camera camera = {{-1, 0.25, 0.2}, {1, 0.25, 0.2}, {0, 0, 1}, 15, {16, 12}};
+    const murk_camera camera = {{-1, 0.25, 0.2}, {1, 0.25, 0.2}, {0, 0, 1}, 15, {16, 12}, 0};
     uint64_t random = 5;
     struct world w;
     (void)state;
@@ -278,7 +278,7 @@ static void cut_anywhere(void **state)
 static void without_medium(void **state)
 {
     const murk_array array = {.size = {1, 1, 1}, .voxel_size = {0.1, 0.1, 0.1}, .kappa_t_value = 1};
-    const murk_camera camera = {{0, 0, 1}, {4, 0, 0.9}, {0, 0, 1}, 40, {3, 9}};
+    const murk_camera camera = {{0, 0, 1}, {4, 0, 0.9}, {0, 0, 1}, 40, {3, 9}, 0};
     const murk_deep_sample *sample = NULL;
     struct world w;
     (void)state;

@@ -4,7 +4,8 @@
 
 static const double E = 2, KAPPA = 6;
 static const double LOW[3] = {0.2, -0.1, 0.3}, HIGH[3] = {0.8, 0.4, 0.7};
-static const murk_camera CAMERA = {{1.6, -1.3, 1.4}, {0.5, 0.1, 0.4}, {0.1, 0.2, 1}, 45, {31, 22}};
+static const murk_camera CAMERA = {
+    {1.6, -1.3, 1.4}, {0.5, 0.1, 0.4}, {0.1, 0.2, 1}, 45, {31, 22}, 0};
 static const double ASYMMETRIES[] = {-0.5, 0.3, 0.85, 0.97};
 
 enum { ASYMMETRY_COUNT = sizeof ASYMMETRIES / sizeof *ASYMMETRIES };

@@ -11,7 +11,7 @@
 enum { EDGE = 16, PLACES = 4 };
 
 /* The middle of a picture along y. */
-static const murk_camera CAMERA = {{0.5, -4, 0.5}, {0.5, 0.5, 0.5}, {0, 0, 1}, 10, {24, 24}};
+static const murk_camera CAMERA = {{0.5, -4, 0.5}, {0.5, 0.5, 0.5}, {0, 0, 1}, 10, {24, 24}, 0};
 enum { LEFT = 8, SPOT = 8 };
 
 /* The sun's way is 16 degrees off the camera's, across it, and 16 degrees off the opposite; the sky
@@ -116,7 +116,7 @@ static double spot_of(const murk_image *image, const int spot[2])
 static void box(void **state)
 {
     (void)state;
-    static const murk_camera side = {{0.5, -1.1, 1.6}, {0.5, 0.5, 0}, {0, 0, 1}, 40, {60, 60}};
+    static const murk_camera side = {{0.5, -1.1, 1.6}, {0.5, 0.5, 0}, {0, 0, 1}, 40, {60, 60}, 0};
     static const int spots[2][2] = {{28, 28}, {28, 20}};
     static struct setting s;
     for (size_t n = 0; n < sizeof BOXES / sizeof *BOXES; n++) {

@@ -20,9 +20,9 @@ static murk_array box_array(double kappa_t, double albedo, double emission)
 
 /* Along x, askew, and from inside the medium. */
 static const murk_camera CAMERAS[] = {
-    {{-1, 0.13, 0.48}, {1, 0.13, 0.48}, {0, 0, 1}, 40, {33, 25}},
-    {{1.6, -1.3, 1.4}, {0.5, 0.1, 0.5}, {0.1, 0.2, 1}, 45, {31, 22}},
-    {{0.41, 0.07, 0.52}, {0.1, 0.3, 0.45}, {0, 1, 0}, 100, {21, 24}},
+    {{-1, 0.13, 0.48}, {1, 0.13, 0.48}, {0, 0, 1}, 40, {33, 25}, 0},
+    {{1.6, -1.3, 1.4}, {0.5, 0.1, 0.5}, {0.1, 0.2, 1}, 45, {31, 22}, 0},
+    {{0.41, 0.07, 0.52}, {0.1, 0.3, 0.45}, {0, 1, 0}, 100, {21, 24}, 0},
 };
 
 enum { CAMERA_COUNT = sizeof CAMERAS / sizeof *CAMERAS };
@@ -55,6 +55,45 @@ static void transmittance(void **state)
                 /* One band in all three. */
                 assert_true(pixel(image, "R", i, j) == pixel(image, "B", i, j));
             }
+        murk_image_release(image);
+    }
+    world_close(&w);
+}
+
+/* Parallel rays: from a point each, all along the line of sight. */
+static void parallel(void **state)
+{
+    (void)state;
+    const murk_array array = box_array(KAPPA, 0, E);
+    murk_camera views[CAMERA_COUNT - 1];
+    struct world w;
+    world_open(&w, 1, &array, NULL);
+    world_solve(&w, NULL);
+    for (int n = 0; n < CAMERA_COUNT - 1; n++) {
+        views[n] = CAMERAS[n];
+        views[n].height = 0.91; /* no ray along a face */
+        views[n].fov = 0;
+        double right[3], up[3], along[3], pitch = views[n].height / views[n].size[1];
+        for (int c = 0; c < 3; c++)
+            along[c] = views[n].target[c] - views[n].eye[c];
+        scale_to(along, 1);
+        cross_product(along, views[n].up, right);
+        scale_to(right, 1);
+        cross_product(right, along, up);
+        murk_image *image = take(&w, &views[n], &ONE_SAMPLE);
+        int hit = 0;
+        for (int j = 0; j < views[n].size[1]; j++)
+            for (int i = 0; i < views[n].size[0]; i++) {
+                double x = (i + 0.5 - views[n].size[0] / 2.0) * pitch, from[3];
+                double y = (views[n].size[1] / 2.0 - j - 0.5) * pitch;
+                for (int c = 0; c < 3; c++)
+                    from[c] = views[n].eye[c] + x * right[c] + y * up[c];
+                double s = chord(LOW, HIGH, from, along);
+                hit += s > 0;
+                assert_within(pixel(image, "transmittance.Y", i, j), exp(-KAPPA * s), 1e-6);
+                assert_within(pixel(image, "path.R", i, j), -expm1(-KAPPA * s) * E / M_PI, 1e-6);
+            }
+        assert_true(hit > 100 && hit < views[n].size[0] * views[n].size[1]);
         murk_image_release(image);
     }
     world_close(&w);
@@ -112,7 +151,7 @@ static void linear_source(void **state)
     struct world w;
     world_open(&w, 1, &array, NULL);
     world_solve(&w, NULL);
-    const murk_camera camera = {{2.1, -1.2, 1.3}, {0.6, 0.5, 0.25}, {0, 0, 1}, 32, {40, 30}};
+    const murk_camera camera = {{2.1, -1.2, 1.3}, {0.6, 0.5, 0.25}, {0, 0, 1}, 32, {40, 30}, 0};
     murk_image *image = take(&w, &camera, &ONE_SAMPLE);
     for (int j = 0; j < 30; j++)
         for (int i = 0; i < 40; i++) {
@@ -172,7 +211,7 @@ static void half_depth(void **state)
     (void)state;
     static float kappa_t[120];
     murk_array array = box_array(KAPPA, 0.5, 0);
-    murk_camera camera = {{-1.5, 0.13, 0.48}, {1, 0.13, 0.48}, {0, 0, 1}, 40, {1, 1}};
+    murk_camera camera = {{-1.5, 0.13, 0.48}, {1, 0.13, 0.48}, {0, 0, 1}, 40, {1, 1}, 0};
     /* 1.7 m to the box, 0.6 m within it; kappa = 1, then 3: 0.3 + 0.9 optical depths, of which 0.6
        are passed 0.3 / 3 behind the middle. */
     for (int varied = 0; varied < 2; varied++) {
@@ -252,7 +291,7 @@ static void samples(void **state)
     world_open(&w, 1, &array, NULL);
     world_solve(&w, NULL);
     const double tau = 1, half = 1, h = 2 * half / 8;
-    const murk_camera camera = {{0.03, 0.01, 2}, {0.03, 0.01, 0}, {0, 1, 0}, 90, {8, 8}};
+    const murk_camera camera = {{0.03, 0.01, 2}, {0.03, 0.01, 0}, {0, 1, 0}, 90, {8, 8}, 0};
     murk_image *coarse = take(&w, &camera, &ONE_SAMPLE);
     murk_image *fine = take(&w, &camera, &(murk_render_options){.samples = 4});
     murk_image *two = take(&w, &camera, &(murk_render_options){.samples = 2});
@@ -340,10 +379,9 @@ static void errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(transmittance), cmocka_unit_test(emission),
-        cmocka_unit_test(linear_source), cmocka_unit_test(enclosure),
-        cmocka_unit_test(half_depth),    cmocka_unit_test(background),
-        cmocka_unit_test(samples),       cmocka_unit_test(threads),
+        cmocka_unit_test(transmittance), cmocka_unit_test(parallel),  cmocka_unit_test(emission),
+        cmocka_unit_test(linear_source), cmocka_unit_test(enclosure), cmocka_unit_test(half_depth),
+        cmocka_unit_test(background),    cmocka_unit_test(samples),   cmocka_unit_test(threads),
         cmocka_unit_test(errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -59,7 +59,7 @@ static bool is_border(const double at[3])
    the sky: tau (e + rho (F cos(theta) tau_sun + sky)) / pi, above the horizon tau L. */
 static void check_picture(const struct world *w, double kappa_t, double tolerance)
 {
-    const murk_camera camera = {{1.9, -0.9, 0.9}, {0.6, 0.5, 0.2}, {0, 0, 1}, 60, {45, 37}};
+    const murk_camera camera = {{1.9, -0.9, 0.9}, {0.6, 0.5, 0.2}, {0, 0, 1}, 60, {45, 37}, 0};
     const double back[3] = {-SUN[0], -SUN[1], -SUN[2]};
     const double sky = w->scene.sky_radiance, sun = w->scene.sun.irradiance * back[2];
     murk_image *image = take(w, &camera, &(murk_render_options){.samples = 1});
@@ -189,7 +189,7 @@ static void umbra(void **state)
             const double centre[3] = {0.1 * (i + 0.5), 0.1 * (j + 0.5), 0};
             /* From the side, under the box. */
             murk_camera camera = {
-                {centre[0], -1, 0.12}, {centre[0], centre[1], 0}, {0, 0, 1}, 1, {1, 1}};
+                {centre[0], -1, 0.12}, {centre[0], centre[1], 0}, {0, 0, 1}, 1, {1, 1}, 0};
             murk_image *image = take(&w, &camera, &(murk_render_options){.samples = 1});
             double reflectance, emission;
             ground_at(centre, &reflectance, &emission);

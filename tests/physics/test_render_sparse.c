@@ -51,11 +51,11 @@ static double depth_along(const double at[3], const double along[3], double t)
 
 /* From outside, far away, from inside with a wide angle, along an axis, and away from it. */
 static const murk_camera CAMERAS[] = {
-    {{3.1, -3.3, 2.9}, {0.1, -0.1, 1.4}, {0, 0, 1}, 45, {31, 23}},
-    {{400, 300, 500}, {0.1, -0.1, 1.4}, {0, 0, 1}, 0.3, {29, 27}},
-    {{0.11, -0.13, 1.43}, {-1, 0.2, 1.1}, {0, 0, 1}, 150, {37, 21}},
-    {{0.12, -4, 1.42}, {0.12, 0, 1.42}, {0, 0, 1}, 40, {15, 17}},
-    {{1.6, 1.2, 1.4}, {4, 2, 1.5}, {0, 0, 1}, 120, {17, 15}},
+    {{3.1, -3.3, 2.9}, {0.1, -0.1, 1.4}, {0, 0, 1}, 45, {31, 23}, 0},
+    {{400, 300, 500}, {0.1, -0.1, 1.4}, {0, 0, 1}, 0.3, {29, 27}, 0},
+    {{0.11, -0.13, 1.43}, {-1, 0.2, 1.1}, {0, 0, 1}, 150, {37, 21}, 0},
+    {{0.12, -4, 1.42}, {0.12, 0, 1.42}, {0, 0, 1}, 40, {15, 17}, 0},
+    {{1.6, 1.2, 1.4}, {4, 2, 1.5}, {0, 0, 1}, 120, {17, 15}, 0},
 };
 
 enum { CAMERA_COUNT = sizeof CAMERAS / sizeof *CAMERAS };
@@ -108,7 +108,7 @@ static void shadow(void **state)
         world_solve(&w, NULL);
         double back[3] = {-suns[n][0], -suns[n][1], -suns[n][2]};
         scale_to(back, 1);
-        const murk_camera camera = {{4.1, -5.3, 2.9}, {0.3, 0.2, 0.6}, {0, 0, 1}, 60, {41, 33}};
+        const murk_camera camera = {{4.1, -5.3, 2.9}, {0.3, 0.2, 0.6}, {0, 0, 1}, 60, {41, 33}, 0};
         murk_image *image = take(&w, &camera, &ONE_SAMPLE);
         int shaded = 0;
         for (int j = 0; j < 33; j++)
@@ -175,7 +175,7 @@ static void opaque(void **state)
     world_open(&w, 1, &array, NULL);
     w.scene.sky_radiance = 0.3;
     world_solve(&w, NULL);
-    const murk_camera camera = {{-1, 0.5, 0.5}, {1, 0.5, 0.5}, {0, 0, 1}, 1, {1, 1}};
+    const murk_camera camera = {{-1, 0.5, 0.5}, {1, 0.5, 0.5}, {0, 0, 1}, 1, {1, 1}, 0};
     murk_image *image = take(&w, &camera, &ONE_SAMPLE);
     assert_within(pixel(image, "path.R", 0, 0), E / M_PI, 1e-7 * E + 1e-6);
     assert_within(pixel(image, "surface.R", 0, 0), 0, 1e-7);

@@ -242,8 +242,10 @@ static void one_camera(void **state)
         double depth, albedo;
         murk_camera camera;
     } cases[] = {
-        {0.3, 0.95, {{2.2, -6, 2.2}, {1.2, 2.2, 3.2}, {0, 0, 1}, 8, {48, 48}}}, /* a detail */
-        {20, 0.6, {{-9, 2, 2}, {2, 2, 2}, {0, 0, 1}, 40, {48, 48}}}, /* the near face of a block */
+        {0.3, 0.95, {{2.2, -6, 2.2}, {1.2, 2.2, 3.2}, {0, 0, 1}, 8, {48, 48}, 0}}, /* a detail */
+        {20,
+         0.6,
+         {{-9, 2, 2}, {2, 2, 2}, {0, 0, 1}, 40, {48, 48}, 0}}, /* the near face of a block */
     };
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         fill_ball(kappa_t, EDGE, 0, cases[n].depth, 0);

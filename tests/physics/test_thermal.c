@@ -10,7 +10,7 @@ static const murk_render_options ONE_SAMPLE = {.samples = 1};
 
 /* A box over a ground, and a camera that looks down at it askew. */
 static const double LOW[3] = {0.1, 0.2, 0.1}, HIGH[3] = {0.9, 0.8, 0.5};
-static const murk_camera DOWN = {{0.3, -0.4, 2.1}, {0.5, 0.5, 0.3}, {0, 1, 0}, 45, {24, 18}};
+static const murk_camera DOWN = {{0.3, -0.4, 2.1}, {0.5, 0.5, 0.3}, {0, 1, 0}, 45, {24, 18}, 0};
 
 static murk_array box_array(double kappa_t, double albedo, double emission)
 {

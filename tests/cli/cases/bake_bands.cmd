@@ -1,0 +1,1 @@
+murk bake fixtures/puff.vdb --bands R,G -o smoke.png

@@ -1,0 +1,1 @@
+murk bake 'fixtures/puffs/puff.####.vdb' --frames 1,2,4 --scale 5 --flipbook 2x1 -o smoke.png

@@ -1,0 +1,1 @@
+murk bake 'fixtures/puffs/puff.####.vdb' --frames 1,2 -o smoke.png

@@ -1,0 +1,1 @@
+murk bake fixtures/puff.vdb -o smoke.png --radiosity lit.png

@@ -1,0 +1,1 @@
+murk bake --help
