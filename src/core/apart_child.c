@@ -91,6 +91,17 @@ static void limit_seconds(uint64_t seconds)
         limit(RLIMIT_CPU, (uint64_t)(used.ru_utime.tv_sec + used.ru_stime.tv_sec) + 1 + seconds);
 }
 
+/* Answers are files in memory, and no output. */
+static void lift_file_size(void)
+{
+    struct rlimit now;
+    const struct rlimit none = {RLIM_INFINITY, RLIM_INFINITY};
+    if (setrlimit(RLIMIT_FSIZE, &none) && !getrlimit(RLIMIT_FSIZE, &now)) {
+        now.rlim_cur = now.rlim_max;
+        setrlimit(RLIMIT_FSIZE, &now);
+    }
+}
+
 /* A library that calls exit() must not run the handlers of the parent. */
 static void leave(void)
 {
@@ -102,6 +113,7 @@ static void confine(const murk_apart_work *work, int channel)
     atexit(leave);
     close_others(channel, work->keep);
     limit(RLIMIT_CORE, 0);
+    lift_file_size();
     prctl(PR_SET_DUMPABLE, 0); /* a core that is piped to a program knows no limit */
     if (work->limits.memory && !SANITIZED)
         limit_memory(work->limits.memory);
