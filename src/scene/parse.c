@@ -193,7 +193,7 @@ void scene_describe_volume(const char *medium_file, struct scene_description *ou
         .ground_temperature = NAN,
         .ground = ground,
         .up = MURK_UP_Z,
-        .camera = {{NAN, NAN, NAN}, {NAN, NAN, NAN}, {NAN, NAN, NAN}, NAN, {0, 0}},
+        .camera = {{NAN, NAN, NAN}, {NAN, NAN, NAN}, {NAN, NAN, NAN}, NAN, {0, 0}, 0},
     };
     out->ground.height = NAN;
     out->ground.patches[0] = out->ground.patches[1] = 0;
