@@ -27,8 +27,10 @@ static size_t *find(const struct bench_voxels *voxels, int32_t x, int32_t y, int
 {
     size_t mask = voxels->bucket_count - 1;
     for (size_t i = hash(x, y, z) & mask;; i = (i + 1) & mask) {
+        if (!voxels->bucket[i])
+            return &voxels->bucket[i];
         const int32_t *at = voxels->brick + 3 * (voxels->bucket[i] - 1);
-        if (!voxels->bucket[i] || (at[0] == x && at[1] == y && at[2] == z))
+        if (at[0] == x && at[1] == y && at[2] == z)
             return &voxels->bucket[i];
     }
 }

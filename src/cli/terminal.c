@@ -51,11 +51,17 @@ void cli_terminal_clear(struct cli_terminal *terminal)
     terminal->drawn = false;
 }
 
-/* In one piece, so that the lines of runs side by side do not mix. */
+/* In one piece, so that the lines of runs side by side do not mix; one line, and no commands to the
+   terminal, whatever files and grids are called. */
 static void print_line(struct cli_terminal *terminal, const char *text)
 {
+    char line[CLI_LINE_SIZE];
+    snprintf(line, sizeof line, "%s", text);
+    for (char *c = line; *c; c++)
+        if ((unsigned char)*c < ' ' || *c == 0x7f)
+            *c = '?';
     cli_terminal_clear(terminal);
-    fprintf(stderr, "murk: %s%s\n", terminal->frame, text);
+    fprintf(stderr, "murk: %s%s\n", terminal->frame, line);
 }
 
 void cli_error(struct cli_terminal *terminal, const char *format, ...)

@@ -15,7 +15,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__
+#ifdef MURK_SANITIZED
 enum { SANITIZED = 1 }; /* shadow memory is beyond any limit, and reports are wanted */
 #else
 enum { SANITIZED = 0 };

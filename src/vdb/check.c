@@ -193,7 +193,7 @@ murk_status murk_vdb_check(murk_context *context, const murk_source *source, mur
     return status;
 }
 
-/* "density" + separator + "1" is shown as "density[1]". */
+/* "density" + separator + "1" is shown as "density[1]"; what a terminal would obey as "?". */
 static void make_label(murk_vdb_entry *entry)
 {
     snprintf(entry->label, sizeof entry->label, "%s", entry->name);
@@ -203,7 +203,7 @@ static void make_label(murk_vdb_entry *entry)
         strcat(separator, "]");
     }
     for (char *p = entry->label; *p; p++)
-        if (*p == MURK_VDB_SEPARATOR)
+        if ((unsigned char)*p < ' ' || *p == 0x7f)
             *p = '?';
 }
 

@@ -275,7 +275,7 @@ static void test_failures(void **state)
     assert_int_equal(murk_apart_ask(*state, apart, &bad, &answer), MURK_ERROR_INPUT);
     assert_string_equal(murk_context_message(*state), "number 13 is bad");
     assert_int_equal(ask(*state, apart, SQUARE, 4), 16);
-#if !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__
+#ifndef MURK_SANITIZED
     assert_int_equal(murk_apart_ask(*state, apart, &greedy, &answer), MURK_ERROR_MEMORY);
     assert_non_null(strstr(murk_context_message(*state), "out of memory after"));
 #else
