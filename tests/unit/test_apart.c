@@ -8,15 +8,15 @@
 #include <cmocka.h>
 
 #include "apart.h"
+#include "counting_context.h"
+#include "leftovers.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 enum {
@@ -34,17 +34,6 @@ enum {
     SHOUT,
     KILLED
 };
-
-static size_t count_entries(const char *path)
-{
-    size_t count = 0;
-    DIR *folder = opendir(path);
-    assert_non_null(folder);
-    for (const struct dirent *e; (e = readdir(folder));)
-        count += e->d_name[0] != '.';
-    closedir(folder);
-    return count;
-}
 
 static int state_of_data = 7;
 
@@ -118,31 +107,6 @@ static const murk_apart_work work = {.library = "OpenVDB",
                                      .keep = -1,
                                      .limits = {.memory = 64 << 20, .seconds = 1, .idle = 2}};
 
-static int warnings;
-
-static void count_warnings(void *user, murk_log_level level, const char *text)
-{
-    (void)user;
-    (void)text;
-    warnings += level == MURK_LOG_WARNING;
-}
-
-static int make_context(void **state)
-{
-    murk_context_options options = MURK_CONTEXT_DEFAULT;
-    options.log = count_warnings;
-    murk_context *context = NULL;
-    murk_status status = murk_context_create(&options, &context);
-    *state = context;
-    return status;
-}
-
-static int drop_context(void **state)
-{
-    murk_context_release(*state);
-    return 0;
-}
-
 static murk_apart *start(murk_context *context)
 {
     murk_apart *apart = NULL;
@@ -162,13 +126,6 @@ static uint64_t ask(murk_context *context, murk_apart *apart, uint64_t what, uin
     assert_false(murk_apart_take(&answer, &number, 1));
     murk_apart_close(&answer);
     return number;
-}
-
-/* No child, running or dead, is left. */
-static void assert_alone(void)
-{
-    assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
-    assert_int_equal(errno, ECHILD);
 }
 
 static void test_answers(void **state)

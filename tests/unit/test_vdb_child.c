@@ -2,24 +2,12 @@
 /* The process that keeps the grids of a volume: alone, and gone when it should be. */
 #include "vdb_bytes.h"
 
+#include "leftovers.h"
 #include "vdb.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-static size_t count_entries(const char *path)
-{
-    size_t count = 0;
-    DIR *folder = opendir(path);
-    assert_non_null(folder);
-    for (const struct dirent *e; (e = readdir(folder));)
-        count += e->d_name[0] != '.';
-    closedir(folder);
-    return count;
-}
 
 /* The number of this process's only child. */
 static int find_child(void)
@@ -32,12 +20,6 @@ static int find_child(void)
     assert_int_equal(fscanf(file, "%d", &pid), 1);
     fclose(file);
     return pid;
-}
-
-static void assert_alone(void)
-{
-    assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
-    assert_int_equal(errno, ECHILD);
 }
 
 /* The child has one thread, whatever it is asked for; and where it dies that is one line, however

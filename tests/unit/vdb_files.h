@@ -11,36 +11,11 @@
 
 #include <cmocka.h>
 
-#include "murk/murk.h"
+#include "counting_context.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static int warnings;
-
-static void count_warnings(void *user, murk_log_level level, const char *text)
-{
-    (void)user;
-    (void)text;
-    warnings += level == MURK_LOG_WARNING;
-}
-
-static int make_context(void **state)
-{
-    murk_context_options options = MURK_CONTEXT_DEFAULT;
-    options.log = count_warnings;
-    murk_context *context = NULL;
-    murk_status status = murk_context_create(&options, &context);
-    *state = context;
-    return status;
-}
-
-static int drop_context(void **state)
-{
-    murk_context_release(*state);
-    return 0;
-}
 
 static const char *folder_of(const char *variable, const char *otherwise)
 {
