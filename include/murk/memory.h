@@ -40,6 +40,10 @@ MURK_API uint64_t murk_solve_memory(murk_context *context, const murk_scene scen
 MURK_API uint64_t murk_render_memory(const murk_scene *scene, const murk_camera *camera,
                                      size_t bands);
 
+/** The same of murk_render_deep(), where rays go through smoke in all pixels: 30 samples each. */
+MURK_API uint64_t murk_render_deep_memory(const murk_scene *scene, const murk_camera *camera,
+                                          size_t bands);
+
 #ifdef __cplusplus
 }
 #endif

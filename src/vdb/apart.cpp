@@ -2,6 +2,7 @@
 /* A volume in this process: what is known of its grids, and a child that has them. */
 #include "guard.hpp"
 #include "handle.hpp"
+#include "memory.h"
 
 #include <algorithm>
 #include <cstring>
@@ -39,13 +40,14 @@ struct answer : murk_apart_answer {
     answer &operator=(const answer &) = delete;
 };
 
-/* What a sound file can take, where the machine has that much. */
+/* What a sound file can take, where the machine has that much and the memory limit allows it. */
 murk_apart_limits find_limits(uint64_t size, bool &is_memory_ours)
 {
     const uint64_t machine = uint64_t(sysconf(_SC_PHYS_PAGES)) * uint64_t(sysconf(_SC_PAGESIZE));
+    const uint64_t there = std::max(std::min(machine, murk_memory_left()), uint64_t(1));
     const uint64_t sound = memory_of_tiles + memory_per_byte * size;
-    is_memory_ours = sound <= machine;
-    return {std::min(sound, machine), 120 + size / 1000000, 600};
+    is_memory_ours = sound <= there;
+    return {std::min(sound, there), 120 + size / 1000000, 600};
 }
 
 murk_status ask(murk_context *context, const murk_vdb &vdb, murk_vdb_question what, size_t index,
