@@ -15,6 +15,9 @@ namespace
    that are counted by columns may take more. */
 constexpr uint64_t memory_per_byte = 100, memory_of_tiles = uint64_t(4) << 30;
 
+/* What OpenVDB and its threads have by themselves: it does not count as the work's. */
+constexpr uint64_t memory_of_library = uint64_t(256) << 20;
+
 struct source : murk_source {
     source() : murk_source{nullptr, -1, nullptr, 0}
     {
@@ -44,7 +47,8 @@ struct answer : murk_apart_answer {
 murk_apart_limits find_limits(uint64_t size, bool &is_memory_ours)
 {
     const uint64_t machine = uint64_t(sysconf(_SC_PHYS_PAGES)) * uint64_t(sysconf(_SC_PAGESIZE));
-    const uint64_t there = std::max(std::min(machine, murk_memory_left()), uint64_t(1));
+    const uint64_t left = murk_memory_left();
+    const uint64_t there = left < machine ? std::min(machine, left + memory_of_library) : machine;
     const uint64_t sound = memory_of_tiles + memory_per_byte * size;
     is_memory_ours = sound <= there;
     return {std::min(sound, there), 120 + size / 1000000, 600};

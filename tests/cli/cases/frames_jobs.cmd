@@ -2,13 +2,13 @@ for jobs in 1 2; do
     murk image fixtures/puffs.json --threads $jobs --jobs $jobs --frames 1-5 --json -o $jobs.####.exr >$jobs.json 2>$jobs.txt
     echo $?
 done
-# Apart from the command, outputs and times, lines and messages are the same, in the same order.
+# Apart from the command, outputs, times and what the allocator makes of sizes, lines and messages are the same, in the same order.
 /usr/bin/python3 -c '
 import json
 def lines(name):
     for text in open(name):
         line = json.loads(text)
-        for key in ("command", "outputs", "seconds"):
+        for key in ("command", "outputs", "seconds", "memory"):
             line.pop(key, None)
         yield line
 one, two = (list(lines(name)) for name in ("1.json", "2.json"))
