@@ -40,6 +40,12 @@ MURK_API uint64_t murk_solve_memory(murk_context *context, const murk_scene scen
 MURK_API uint64_t murk_render_memory(const murk_scene *scene, const murk_camera *camera,
                                      size_t bands);
 
+/** The same of murk_render_deep(), for smoke that fills a part of the picture: 10 samples a pixel
+ * on average. Only rendering tells how many there are; a camera inside of smoke takes up to three
+ *  times as much. */
+MURK_API uint64_t murk_render_deep_memory(const murk_scene *scene, const murk_camera *camera,
+                                          size_t bands);
+
 #ifdef __cplusplus
 }
 #endif

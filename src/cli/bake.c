@@ -3,6 +3,7 @@
 
 #include "bake_sheet.h"
 #include "bake_view.h"
+#include "murk/memory.h"
 #include "output.h"
 #include "report.h"
 #include "sequence.h"
@@ -172,6 +173,20 @@ static murk_status draw(struct cli_job *job, const murk_scene scene[], size_t co
     return status;
 }
 
+/* Whether the sheet's two halves, the opacity of one and a picture of a cell fit into memory. */
+static murk_status afford(struct cli_job *job, const murk_scene scene[], size_t count,
+                          const murk_camera *camera)
+{
+    enum { VALUES = 2 * 4 + 1, ENCODED = 4 };
+    const struct bake *bake = job->state;
+    const int *flipbook = job->options->flipbook;
+    const double cells = flipbook[0] ? (double)flipbook[0] * flipbook[1] : 1;
+    const double values = bake->sheet.half[0] ? ENCODED : VALUES + ENCODED;
+    const double sheet = cells * camera->size[0] * camera->size[1] * values * sizeof(float);
+    return cli_job_afford(job, count, "the sheet of textures",
+                          sheet + (double)murk_render_memory(scene, camera, 0));
+}
+
 static murk_status light_and_draw(struct cli_job *job, const struct scene *glow)
 {
     struct bake *bake = job->state;
@@ -184,7 +199,9 @@ static murk_status light_and_draw(struct cli_job *job, const struct scene *glow)
     if (status != MURK_OK)
         return status;
     size_t count = light(job, glow, &camera, scene);
-    status = solve(job, scene, count);
+    status = afford(job, scene, count, &camera);
+    if (status == MURK_OK)
+        status = solve(job, scene, count);
     if (cli_job_failed(status))
         return status;
     murk_status drawn = draw(job, scene, count, &camera);

@@ -46,6 +46,11 @@ murk_status cli_job_build(struct cli_job *job);
    without bands. */
 size_t cli_job_views(const struct cli_job *job, murk_band_view view[SCENE_BANDS_MAX]);
 
+/* Whether what comes after solving fits into memory, before anything is solved: `solutions` of the
+   scene, and bytes beside them, which `what` ("the picture") takes. Solving is refused by itself.
+ */
+murk_status cli_job_afford(struct cli_job *job, size_t solutions, const char *what, double bytes);
+
 murk_status cli_job_solve(struct cli_job *job);
 murk_status cli_job_render(struct cli_job *job);
 

@@ -60,7 +60,10 @@ static double available_memory(void)
 
 double cli_jobs_frame_bytes(const char *medium_file)
 {
-    /* Plumes of 0.1 to 1.7 MB take 150 to 220 MB; large ones about 12 bytes of file a voxel, and
+    /* The file's size is all that may be looked at: reading it would start threads, which the
+       workers, copies of this process, would not have.
+
+       Plumes of 0.1 to 1.7 MB take 150 to 220 MB; large ones about 12 bytes of file a voxel, and
        some hundred of memory. */
     const double program = 2e8, per_byte = 100;
     struct stat info;
@@ -70,7 +73,9 @@ double cli_jobs_frame_bytes(const char *medium_file)
 
 int cli_jobs(const struct cli_options *options, size_t count, int threads, double frame_bytes)
 {
-    const double most = fmax(1, floor(available_memory() / frame_bytes));
+    const double memory =
+        fmin(available_memory(), isnan(options->max_memory) ? INFINITY : options->max_memory);
+    const double most = fmax(1, floor(memory / frame_bytes));
     int best = 1;
     if (options->jobs > 0)
         return (size_t)options->jobs < count ? options->jobs : (int)count;

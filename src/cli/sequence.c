@@ -41,6 +41,7 @@ static murk_status run_on_workers(struct cli_job *job, const struct cli_frames *
     struct cli_crew crew = {.job = job,
                             .steps = steps,
                             .frames = frames,
+                            .jobs = jobs,
                             .threads = threads > jobs ? threads / jobs : 1};
     if (job->options->verbose)
         cli_say(&job->terminal, "%d frame%s at once, each on %d thread%s", jobs,

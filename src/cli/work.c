@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "work.h"
 
+#include "murk/memory.h"
 #include "output.h"
 #include "report.h"
 #include "sequence.h"
@@ -23,6 +24,20 @@ static murk_status aim(struct cli_job *job)
     return status == MURK_OK ? cli_show_check_channel(job) : status;
 }
 
+/* Whether the pictures that are asked for fit into memory. */
+static murk_status afford(struct cli_job *job)
+{
+    const struct scene *scene = &job->scene;
+    const murk_scene *first = &scene->band[0].scene;
+    const size_t bands = scene->band[0].name ? scene->band_count : 0;
+    double bytes = (double)murk_render_memory(first, &scene->camera, bands);
+    if (job->options->deep)
+        bytes += (double)murk_render_deep_memory(first, &scene->camera, bands);
+    return cli_job_afford(job, scene->band_count,
+                          job->options->deep ? "the picture with its --deep one" : "the picture",
+                          bytes);
+}
+
 /* Writes everything and tells what came out. */
 static murk_status conclude(struct cli_job *job, murk_status status)
 {
@@ -42,6 +57,8 @@ static murk_status image(struct cli_job *job)
     murk_status status = prepare(job);
     if (!cli_job_failed(status))
         status = aim(job);
+    if (!cli_job_failed(status))
+        status = afford(job);
     if (!cli_job_failed(status))
         status = cli_job_solve(job);
     if (!cli_job_failed(status)) {
@@ -83,6 +100,8 @@ static murk_status render(struct cli_job *job)
     murk_status status = prepare(job);
     if (status == MURK_OK)
         status = aim(job);
+    if (status == MURK_OK)
+        status = afford(job);
     if (status == MURK_OK)
         status = read_solution(job);
     if (status == MURK_OK)

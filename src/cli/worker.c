@@ -25,6 +25,7 @@ static void run_frames(const struct cli_crew *crew, int control)
     struct cli_job job;
     size_t index;
     options.threads = crew->threads;
+    options.max_memory /= crew->jobs; /* each its share; NaN, what is not given, stays so */
     murk_status status = cli_job_start(&job, &options, crew->job->command, crew->job->command_line);
     cli_terminal_relay(&job.terminal, &crew->job->terminal, tell_progress, &control);
     while (recv(control, &index, sizeof index, 0) == (ssize_t)sizeof index) {

@@ -23,6 +23,7 @@ struct cli_crew {
     const struct cli_steps *steps;
     const struct cli_frames *frames;
     int threads; /* of each worker */
+    int jobs;    /* workers at most: they share --max-memory */
 };
 
 /* The ends that the starting process holds. */

@@ -6,36 +6,48 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Counters order no other memory, so all of them are relaxed. Between threads an array may be had
+   that passes the limit by what others take at that moment. */
 static struct {
     _Atomic uint64_t used, peak, limit;
     atomic_bool refused;       /* the limit did, not the system */
     _Atomic int64_t fail_next; /* allocations that succeed before one fails, -1: none does */
 } memory = {.fail_next = -1};
 
+static uint64_t get(const _Atomic uint64_t *of)
+{
+    return atomic_load_explicit(of, memory_order_relaxed);
+}
+
+static void set(_Atomic uint64_t *of, uint64_t value)
+{
+    atomic_store_explicit(of, value, memory_order_relaxed);
+}
+
 void murk_memory_limit(uint64_t bytes)
 {
-    atomic_store(&memory.limit, bytes);
-    atomic_store(&memory.refused, false);
+    set(&memory.limit, bytes);
+    atomic_store_explicit(&memory.refused, false, memory_order_relaxed);
 }
 
 uint64_t murk_memory_used(void)
 {
-    return atomic_load(&memory.used);
+    return get(&memory.used);
 }
 
 uint64_t murk_memory_peak(void)
 {
-    return atomic_load(&memory.peak);
+    return get(&memory.peak);
 }
 
 void murk_memory_restart_peak(void)
 {
-    atomic_store(&memory.peak, atomic_load(&memory.used));
+    set(&memory.peak, get(&memory.used));
 }
 
 uint64_t murk_memory_left(void)
 {
-    uint64_t limit = atomic_load(&memory.limit), used = atomic_load(&memory.used);
+    uint64_t limit = get(&memory.limit), used = get(&memory.used);
     if (!limit)
         return UINT64_MAX;
     return used < limit ? limit - used : 0;
@@ -43,27 +55,29 @@ uint64_t murk_memory_left(void)
 
 uint64_t murk_memory_refused(void)
 {
-    return atomic_exchange(&memory.refused, false) ? atomic_load(&memory.limit) : 0;
+    return atomic_exchange_explicit(&memory.refused, false, memory_order_relaxed)
+               ? get(&memory.limit)
+               : 0;
 }
 
 void murk_memory_fail_after(int64_t allocations)
 {
-    atomic_store(&memory.fail_next, allocations);
+    atomic_store_explicit(&memory.fail_next, allocations, memory_order_relaxed);
 }
 
 bool murk_memory_failed(void)
 {
-    return atomic_load(&memory.fail_next) < 0;
+    return atomic_load_explicit(&memory.fail_next, memory_order_relaxed) < 0;
 }
 
 static bool may_take(size_t bytes)
 {
     if (atomic_load_explicit(&memory.fail_next, memory_order_relaxed) >= 0 &&
-        atomic_fetch_sub(&memory.fail_next, 1) == 0)
+        atomic_fetch_sub_explicit(&memory.fail_next, 1, memory_order_relaxed) == 0)
         return false;
     if (bytes <= murk_memory_left())
         return true;
-    atomic_store(&memory.refused, true);
+    atomic_store_explicit(&memory.refused, true, memory_order_relaxed);
     return false;
 }
 
@@ -71,9 +85,11 @@ static bool may_take(size_t bytes)
 static void count(void *array)
 {
     uint64_t bytes = malloc_usable_size(array);
-    uint64_t used = atomic_fetch_add(&memory.used, bytes) + bytes;
-    uint64_t peak = atomic_load(&memory.peak);
-    while (used > peak && !atomic_compare_exchange_weak(&memory.peak, &peak, used))
+    uint64_t used = atomic_fetch_add_explicit(&memory.used, bytes, memory_order_relaxed) + bytes;
+    uint64_t peak = get(&memory.peak);
+    while (used > peak &&
+           !atomic_compare_exchange_weak_explicit(&memory.peak, &peak, used, memory_order_relaxed,
+                                                  memory_order_relaxed))
         ;
 }
 
@@ -107,6 +123,6 @@ void *murk_alloc_unset(size_t count, size_t size)
 void murk_free(void *array)
 {
     if (array)
-        atomic_fetch_sub(&memory.used, malloc_usable_size(array));
+        atomic_fetch_sub_explicit(&memory.used, malloc_usable_size(array), memory_order_relaxed);
     free(array);
 }

@@ -146,6 +146,21 @@ static void cut_others(murk_pairwise *p)
     }
 }
 
+double murk_pairwise_memory(const murk_medium *medium, const murk_ground *ground)
+{
+    murk_sight sight;
+    murk_sight_init(&sight, medium, ground);
+    const bool offsets = murk_pairwise_by_offset(&sight);
+    const double zones = (double)medium->grid->zone_count;
+    const double patches = ground ? (double)ground->patch_count : 0;
+    const double others = offsets ? (double)murk_offsets_others(&sight) : patches;
+    /* make_arrays(), and what both forms have for a zone and a patch */
+    const double zone = 10 * sizeof(double), patch = 10 * sizeof(double);
+    const double factors = offsets ? zones * (ground ? 9 : 7) * sizeof(double)
+                                   : zones * (zones * sizeof(float) + 5 * sizeof(double));
+    return factors + zones * zone + patches * patch + zones * others * sizeof(float);
+}
+
 static murk_status check_memory(murk_context *context, const murk_pairwise *p, bool offsets)
 {
     double bytes = (double)p->zones * (double)p->other_count * sizeof(float);
@@ -163,7 +178,7 @@ static murk_status check_memory(murk_context *context, const murk_pairwise *p, b
 
 static murk_status fill(murk_context *context, murk_pairwise *p)
 {
-    bool offsets = p->sight.kappa_uniform > 0 && p->sight.clearance >= 0;
+    bool offsets = murk_pairwise_by_offset(&p->sight);
     murk_status status = MURK_OK;
     if (offsets) {
         status = check_memory(context, p, offsets);

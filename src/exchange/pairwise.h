@@ -14,4 +14,7 @@
  */
 extern const murk_exchange_method murk_exchange_pairwise;
 
+/* Bytes of the factors and of what they are used with. */
+double murk_pairwise_memory(const murk_medium *medium, const murk_ground *ground);
+
 #endif

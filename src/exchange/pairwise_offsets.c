@@ -56,29 +56,51 @@ static int32_t lattice_column(const murk_sight *s, const double v[3], double ori
     return column >= 0 && (column + 1) * size < s->box[axis] * (1 + 1e-9) ? (int32_t)column : -1;
 }
 
+/* Whether a patch is a cell of the lattice under the box; its columns on the ground's axes. */
+static bool find_columns(const murk_sight *s, size_t patch, int32_t column[2])
+{
+    const murk_ground *ground = s->ground;
+    const size_t at[2] = {patch % (size_t)ground->count[0], patch / (size_t)ground->count[0]};
+    const double *const across[2] = {s->a, s->b};
+    if (lattice_axis(s->up) < 0)
+        return false;
+    for (int c = 0; c < 2; c++) {
+        int axis = lattice_axis(across[c]);
+        if (axis < 0)
+            return false;
+        column[c] = lattice_column(s, across[c], s->origin[c], axis, ground->edge[c] + at[c]);
+        if (column[c] < 0)
+            return false;
+    }
+    return true;
+}
+
+size_t murk_offsets_others(const murk_sight *sight)
+{
+    size_t others = 0;
+    int32_t column[2];
+    for (size_t i = 0; sight->ground && i < sight->ground->patch_count; i++)
+        others += !find_columns(sight, i, column);
+    return others;
+}
+
 /* Parts the patches into those by offset and the others. */
 static void sort_patches(murk_pairwise *p)
 {
     murk_offsets *o = &p->offsets;
     const murk_sight *s = &p->sight;
-    const murk_ground *ground = s->ground;
     int axis_a = lattice_axis(s->a), axis_b = lattice_axis(s->b), up = lattice_axis(s->up);
-    bool possible = axis_a >= 0 && axis_b >= 0 && up >= 0;
     o->up = up;
     for (size_t i = 0; i < p->patches; i++) {
-        size_t ia = i % (size_t)ground->count[0], ib = i / (size_t)ground->count[0];
-        int32_t ca =
-            possible ? lattice_column(s, s->a, s->origin[0], axis_a, ground->edge[0] + ia) : -1;
-        int32_t cb =
-            possible ? lattice_column(s, s->b, s->origin[1], axis_b, ground->edge[1] + ib) : -1;
-        if (ca < 0 || cb < 0) {
+        int32_t column[2];
+        if (!find_columns(s, i, column)) {
             o->aligned_at[i] = -1;
             murk_pairwise_add_other(p, i);
             continue;
         }
         int32_t *cell = o->cell[o->aligned_count];
-        cell[axis_a] = ca;
-        cell[axis_b] = cb;
+        cell[axis_a] = column[0];
+        cell[axis_b] = column[1];
         cell[up] = 0;
         o->aligned_at[i] = (int64_t)o->aligned_count;
         o->aligned[o->aligned_count++] = i;

@@ -55,6 +55,12 @@ double murk_window_weight(const murk_pairwise *p, int axis, double d);
 /* Puts a patch into other. */
 void murk_pairwise_add_other(murk_pairwise *p, size_t patch);
 
+/* Whether factors are by offset: in a uniform box that the ground does not cut. */
+static inline bool murk_pairwise_by_offset(const murk_sight *sight)
+{
+    return sight->kappa_uniform > 0 && sight->clearance >= 0;
+}
+
 /* Factors zone by zone: matrix, self, sky, horizon; other_matrix is there already. */
 murk_status murk_pairwise_dense(murk_context *context, murk_pairwise *p);
 
@@ -64,6 +70,8 @@ murk_status murk_pairwise_offsets(murk_context *context, murk_pairwise *p);
 murk_status murk_offsets_escape(murk_context *context, murk_pairwise *p);
 /* Cuts the window out of the factors; zones count at all heights over a patch. */
 void murk_offsets_window(murk_pairwise *p);
+/* How many patches are not by offset. */
+size_t murk_offsets_others(const murk_sight *sight);
 void murk_offsets_clear(murk_offsets *offsets);
 
 /* y[zone] = sum of V_mV_k x[m], self-factors included. */

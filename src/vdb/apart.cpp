@@ -2,6 +2,7 @@
 /* A volume in this process: what is known of its grids, and a child that has them. */
 #include "guard.hpp"
 #include "handle.hpp"
+#include "memory.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,6 +14,9 @@ namespace
 /* A kilobyte of file is at most 8 leaves, or of the widest values 100 kilobytes of memory; tiles
    that are counted by columns may take more. */
 constexpr uint64_t memory_per_byte = 100, memory_of_tiles = uint64_t(4) << 30;
+
+/* What OpenVDB and its threads have by themselves: it does not count as the work's. */
+constexpr uint64_t memory_of_library = uint64_t(256) << 20;
 
 struct source : murk_source {
     source() : murk_source{nullptr, -1, nullptr, 0}
@@ -39,13 +43,15 @@ struct answer : murk_apart_answer {
     answer &operator=(const answer &) = delete;
 };
 
-/* What a sound file can take, where the machine has that much. */
+/* What a sound file can take, where the machine has that much and the memory limit allows it. */
 murk_apart_limits find_limits(uint64_t size, bool &is_memory_ours)
 {
     const uint64_t machine = uint64_t(sysconf(_SC_PHYS_PAGES)) * uint64_t(sysconf(_SC_PAGESIZE));
+    const uint64_t left = murk_memory_left();
+    const uint64_t there = left < machine ? std::min(machine, left + memory_of_library) : machine;
     const uint64_t sound = memory_of_tiles + memory_per_byte * size;
-    is_memory_ours = sound <= machine;
-    return {std::min(sound, machine), 120 + size / 1000000, 600};
+    is_memory_ours = sound <= there;
+    return {std::min(sound, there), 120 + size / 1000000, 600};
 }
 
 murk_status ask(murk_context *context, const murk_vdb &vdb, murk_vdb_question what, size_t index,

@@ -55,6 +55,11 @@ vdb.write(path("empty.vdb"), grids=[empty])
 frustum = vdb.createFrustumTransform(taper=0.5, depth=1.0, xyzMin=(0, 0, 0), xyzMax=(8, 8, 8))
 vdb.write(path("frustum.vdb"), grids=[grid("density", smoke, frustum)])
 
+tiles = vdb.FloatGrid(0.0)  # small as a file
+tiles.name = "density"
+tiles.fill((0, 0, 0), (511, 511, 511), 1.0)
+vdb.write(path("tiles.vdb"), grids=[tiles])
+
 coarse = vdb.createLinearTransform([[0.2, 0, 0, 0], [0, 0.2, 0, 0], [0, 0, 0.2, 0], [0.05, 0.05, 0.05, 1]])
 ball = vdb.createLevelSetSphere(radius=0.4, center=(0.35, 0.35, 0.35), voxelSize=0.1)
 ball.name = "surface"

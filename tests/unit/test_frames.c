@@ -4,6 +4,7 @@
 #include "jobs.h"
 #include "pattern.h"
 
+#include <math.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -212,8 +213,9 @@ static void frames_on_disk(void **state)
 
 static void check_jobs(size_t count, int threads, double frame_bytes, int expected)
 {
-    const struct cli_options none = {0};
+    const struct cli_options none = {.max_memory = NAN}, two = {.max_memory = 2.5 * frame_bytes};
     assert_int_equal(cli_jobs(&none, count, threads, frame_bytes), expected);
+    assert_in_range(cli_jobs(&two, count, threads, frame_bytes), 1, expected < 2 ? 1 : 2);
 }
 
 static void jobs(void **state)

@@ -140,6 +140,7 @@ static void estimate_holds(const char *file, double tolerance)
 static void estimates_hold(void **state)
 {
     (void)state;
+    estimate_holds(MURK_VOLUMES_DIR "/plume64_f045.vdb", 0.05);
     estimate_holds(MURK_VOLUMES_DIR "/plume128_f038.vdb", 0.05);
     estimate_holds(MURK_VOLUMES_DIR "/fire80_f032.vdb", 0.05);
     estimate_holds(MURK_VOLUMES_DIR "/screen128_f060.vdb", 0.05);

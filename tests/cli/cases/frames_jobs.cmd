@@ -2,7 +2,7 @@ for jobs in 1 2; do
     murk image fixtures/puffs.json --threads $jobs --jobs $jobs --frames 1-5 --json -o $jobs.####.exr >$jobs.json 2>$jobs.txt
     echo $?
 done
-# Apart from the command, outputs, memory and times, lines and messages are the same, in the same order.
+# Apart from the command, outputs, times and what the allocator makes of sizes, lines and messages are the same, in the same order.
 /usr/bin/python3 -c '
 import json
 def lines(name):

@@ -15,4 +15,7 @@ task 1 1-2,5-4
 echo $?
 "$slurm/summary" 1-5 murk-7_*.jsonl | sed 's/[0-9.]* s of/S s of/'
 grep -c . murk-7_1.jsonl
+cp puff.0001.vdb puff.0006.vdb
+SLURM_MEM_PER_NODE=1 task 0 6,6
+echo $?
 rm puff.*

@@ -1,0 +1,1 @@
+murk info fixtures/tiles.vdb --max-memory 256M
