@@ -61,7 +61,7 @@ typedef struct murk_oiio_pixels {
     const char *command, *units;      /* likewise */
 } murk_oiio_pixels;
 
-/* Reads the whole display window as linear floats. */
+/* Reads the whole display window as linear floats, if the file can hold what it claims. */
 murk_status murk_oiio_read(murk_context *context, const char *path,
                            murk_image **out) MURK_IMAGE_NOEXCEPT;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flat images and text through OpenImageIO, which no other folder sees.
+// Writing flat images, and text, through OpenImageIO, which no other folder sees.
 #include "oiio.hpp"
 #include "context.h"
 #include "image.h"
@@ -9,9 +9,6 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -25,84 +22,6 @@ using murk::one_line;
 
 namespace
 {
-
-// Whole numbers are on a display's curve, whether the file says so or not. They come unassociated,
-// so that the curve acts on the colour itself.
-void make_linear(const OIIO::ImageSpec &spec, murk_image &image)
-{
-    if (spec.format.is_floating_point() ||
-        spec.get_string_attribute("oiio:ColorSpace", "sRGB") == "Linear")
-        return;
-    size_t count = size_t(image.width) * image.height;
-    for (size_t p = 0; p < count; p++) {
-        float *pixel = image.pixels + p * image.channels;
-        float alpha = spec.alpha_channel >= 0 ? pixel[spec.alpha_channel] : 1.0f;
-        for (int c = 0; c < image.channels; c++)
-            if (c != spec.alpha_channel)
-                pixel[c] = alpha * float(murk_display_linear(pixel[c]));
-    }
-}
-
-// Names with "oiio:" tell how OpenImageIO read the file and are none of its attributes.
-murk_status take_attributes(murk_context *context, const char *path, const OIIO::ImageSpec &spec,
-                            murk_image &image)
-{
-    for (const OIIO::ParamValue &attribute : spec.extra_attribs) {
-        std::string name = attribute.name().string();
-        if (attribute.type() != OIIO::TypeString || name.empty() ||
-            name.compare(0, 5, "oiio:") == 0)
-            continue;
-        if (murk_image_set_attribute(&image, name.c_str(), attribute.get_string().c_str()))
-            return murk_fail(context, MURK_ERROR_MEMORY, "%s: out of memory", path);
-    }
-    return MURK_OK;
-}
-
-murk_status read_image(murk_context *context, const char *path, murk_image **out)
-{
-    OIIO::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1);
-    OIIO::ImageBuf file(path, 0, 0, nullptr, &config);
-    if (!file.init_spec(path, 0, 0))
-        return murk_fail(context, MURK_ERROR_INPUT,
-                         "%s: not an image that OpenImageIO reads, such as EXR, PNG or TIFF", path);
-    const OIIO::ImageSpec &spec = file.spec();
-    std::vector<const char *> names;
-    for (const std::string &name : spec.channelnames)
-        names.push_back(name.c_str());
-    murk_image *image = nullptr;
-    murk_status status = murk_image_create(context, spec.full_width, spec.full_height,
-                                           spec.nchannels, names.data(), &image);
-    if (status != MURK_OK)
-        return status;
-    OIIO::ROI window = file.roi_full();
-    window.chbegin = 0;
-    window.chend = spec.nchannels;
-    if (!file.read(0, 0, true, OIIO::TypeFloat) ||
-        !file.get_pixels(window, OIIO::TypeFloat, image->pixels)) {
-        murk_image_release(image);
-        return murk_fail(context, MURK_ERROR_INPUT, "%s: damaged image: %s", path,
-                         one_line(file.geterror()).c_str());
-    }
-    make_linear(file.nativespec(), *image);
-    status = take_attributes(context, path, file.nativespec(), *image);
-    if (status != MURK_OK)
-        murk_image_release(image);
-    else
-        *out = image;
-    return status;
-}
-
-murk_status read_command(murk_context *context, const char *path, char *text, size_t size)
-{
-    std::unique_ptr<OIIO::ImageInput> file = OIIO::ImageInput::open(path);
-    if (!file)
-        return murk_fail(context, MURK_ERROR_INPUT, "%s: %s", path,
-                         one_line(OIIO::geterror()).c_str());
-    std::string command = file->spec().get_string_attribute("murk:command");
-    std::snprintf(text, size, "%s", command.size() < size ? command.c_str() : "");
-    return MURK_OK;
-}
 
 OIIO::ImageSpec output_spec(const murk_oiio_pixels &pixels)
 {
@@ -185,17 +104,6 @@ murk_status text_cover(murk_context *context, const char *font, const char *text
 }
 
 } // namespace
-
-murk_status murk_oiio_read(murk_context *context, const char *path, murk_image **out) noexcept
-{
-    return guard(context, path, [&] { return read_image(context, path, out); });
-}
-
-murk_status murk_oiio_command(murk_context *context, const char *path, char *text,
-                              size_t size) noexcept
-{
-    return guard(context, path, [&] { return read_command(context, path, text, size); });
-}
 
 murk_status murk_oiio_encode(murk_context *context, const char *path,
                              const murk_oiio_pixels *pixels, void **bytes, size_t *size) noexcept

@@ -119,7 +119,8 @@ static void abandoned_output_is_gone(void **state)
     assert_int_equal(access(file.temporary, F_OK), 0);
     murk_outputs_abandon();
     assert_int_equal(rmdir(path), 0); /* empty */
-    file.temporary = NULL;            /* the handler's now */
+    free(file.temporary);
+    file.temporary = NULL; /* nothing of that name is left to take away */
     murk_beside_discard(&file);
     murk_beside_allow_nameless(true);
 }
