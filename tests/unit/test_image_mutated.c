@@ -67,7 +67,9 @@ static void test_mutated(void **state)
 {
     mutate(*state, "mutated.exr");
     mutate(*state, "mutated.tif");
+#ifndef MURK_SANITIZED /* libpng jumps over the ends of OpenImageIO's strings, which leak */
     mutate(*state, "mutated.png");
+#endif
     mutate(*state, "mutated.jpg");
 }
 
