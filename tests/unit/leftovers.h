@@ -19,11 +19,13 @@ static size_t count_entries(const char *path)
     return count;
 }
 
-/* No child, running or dead, is left. */
+/* No child, running or dead, is left. Sanitizers have one that tells them names. */
 static void assert_alone(void)
 {
+#ifndef MURK_SANITIZED
     assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
     assert_int_equal(errno, ECHILD);
+#endif
 }
 
 #endif
