@@ -38,6 +38,10 @@ void *murk_alloc(size_t count, size_t size);
 /* The same with any content: memory that is never touched costs none. */
 void *murk_alloc_unset(size_t count, size_t size);
 void murk_free(void *memory);
+/* Puts a copy with room for `capacity` elements, zeroed behind the first `count`, in place of the
+   array that *array points to, which may be NULL; array is the address of that pointer. False, and
+   nothing changed, where memory fails. */
+bool murk_enlarge(void *array, size_t count, size_t capacity, size_t size);
 
 /* Extinctions, albedos and lights below 1e-30 count as 0: no path could notice them, and products
    with them would be denormal, with too few bits for an iteration to come to an end. */

@@ -126,3 +126,16 @@ void murk_free(void *array)
         atomic_fetch_sub_explicit(&memory.used, malloc_usable_size(array), memory_order_relaxed);
     free(array);
 }
+
+bool murk_enlarge(void *array, size_t count, size_t capacity, size_t size)
+{
+    void *larger = murk_alloc(capacity, size), *old;
+    if (!larger)
+        return false;
+    memcpy(&old, array, sizeof old);
+    if (count)
+        memcpy(larger, old, count * size);
+    murk_free(old);
+    memcpy(array, &larger, sizeof larger);
+    return true;
+}

@@ -52,13 +52,8 @@ bool murk_deep_append(murk_deep *deep, int i, int j, const murk_deep_sample *sam
     const size_t pixel = (size_t)j * (size_t)deep->width + (size_t)i;
     if (strip->count == strip->capacity) {
         size_t capacity = 2 * strip->capacity + 1024;
-        murk_deep_sample *larger = murk_alloc(capacity, sizeof *larger);
-        if (!larger)
+        if (!murk_enlarge(&strip->sample, strip->count, capacity, sizeof *strip->sample))
             return false;
-        if (strip->count)
-            memcpy(larger, strip->sample, strip->count * sizeof *larger);
-        murk_free(strip->sample);
-        strip->sample = larger;
         strip->capacity = capacity;
     }
     if (deep->count[pixel]++ == 0)

@@ -40,13 +40,8 @@ static bool reserve(murk_curves *curves, size_t more)
     if (curves->capacity - curves->count >= more)
         return true;
     size_t capacity = 2 * curves->capacity + more;
-    murk_stretch *stretch = murk_alloc(capacity, sizeof *stretch);
-    if (!stretch)
+    if (!murk_enlarge(&curves->stretch, curves->count, capacity, sizeof *curves->stretch))
         return false;
-    if (curves->count)
-        memcpy(stretch, curves->stretch, curves->count * sizeof *stretch);
-    murk_free(curves->stretch);
-    curves->stretch = stretch;
     curves->capacity = capacity;
     return true;
 }

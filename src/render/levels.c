@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "levels.h"
 
-#include <string.h>
-
 /* Depths are floats in the file: nearer ones than this part of them are one. */
 static const double NEAREST = 1e-6;
 
@@ -39,13 +37,8 @@ static bool append(murk_levels *levels, const murk_level *level)
 {
     if (levels->count == levels->capacity) {
         size_t capacity = 2 * levels->capacity + 256;
-        murk_level *larger = murk_alloc(capacity, sizeof *larger);
-        if (!larger)
+        if (!murk_enlarge(&levels->level, levels->count, capacity, sizeof *levels->level))
             return false;
-        if (levels->count)
-            memcpy(larger, levels->level, levels->count * sizeof *larger);
-        murk_free(levels->level);
-        levels->level = larger;
         levels->capacity = capacity;
     }
     levels->level[levels->count++] = *level;

@@ -68,25 +68,12 @@ murk_status murk_march_glow(murk_context *context, const murk_solution *solution
     return MURK_OK;
 }
 
-/* A copy of an array of `count` elements with room for more, in place of it. */
-static bool enlarge(void *array, size_t count, size_t capacity, size_t size)
-{
-    void *larger = murk_alloc(capacity, size), *old;
-    if (!larger)
-        return false;
-    memcpy(&old, array, sizeof old);
-    if (count)
-        memcpy(larger, old, count * size);
-    murk_free(old);
-    memcpy(array, &larger, sizeof larger);
-    return true;
-}
-
 static bool grow(murk_trace *trace)
 {
     size_t capacity = 2 * trace->capacity + 16 * MURK_BRICK_STEPS;
-    if (!enlarge(&trace->passed, trace->count, capacity, sizeof *trace->passed) ||
-        (trace->records && !enlarge(&trace->path, trace->count, capacity, sizeof *trace->path)))
+    if (!murk_enlarge(&trace->passed, trace->count, capacity, sizeof *trace->passed) ||
+        (trace->records &&
+         !murk_enlarge(&trace->path, trace->count, capacity, sizeof *trace->path)))
         return false;
     trace->capacity = capacity;
     return true;
